@@ -56,7 +56,7 @@ constexpr const char* kInvalidInformation = "invalid information matrix";
 constexpr const char* kImplausibleAttitude = "roll or pitch beyond 60 degrees";
 inline constexpr double kAttitudeMaxRad = deg_to_rad(60.0);
 
-/// Fields z_m, has_attitude, roll_rad and pitch_rad of a message.
+/// Fields has_attitude, roll_rad and pitch_rad of a message.
 template <class Message>
 void set_attitude(const std::optional<Attitude>& attitude, Message& message) {
   message.has_attitude = static_cast<std::int8_t>(attitude.has_value());

@@ -74,12 +74,11 @@ using MatchTrail = std::vector<MatchWaypoint>;
 /// surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
 /// measurement. Points of a grade group may lie on rising ground or a falling roof, where the place
-/// that a level beam hits moves as the body climbs, by at most range / laser_m for
-/// each metre of height: each group has a common unknown displacement, with this prior, except
-/// where the reference is steep. Without
-/// these groups the result does not depend on heights but by `lean_sd`. `trail` holds the iterates
-/// of earlier matches of the same scan that differ in their start only: a match stops when it joins
-/// the trail, and adds its own iterates if it converges or joins.
+/// that a level beam hits moves as the body climbs, by at most range / laser_m for each metre of
+/// height: each group has a common unknown displacement, with this prior, except where the
+/// reference is steep. Without these groups the result does not depend on heights but by `lean_sd`.
+/// `trail` holds the iterates of earlier matches of the same scan that differ in their start only:
+/// a match stops when it joins the trail, and adds its own iterates if it converges or joins.
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
                                       const PosePrior& prior, const PointToLineParams& params,

@@ -60,10 +60,9 @@ struct SurfaceParams {
 
 /// The valid points of a scan, in order of angle, in the level frame of the body: each is projected
 /// along the vertical, so that a vertical wall is seen at the same place whatever the attitude.
-/// Heights are above the origin of the body frame. Discarded are NaN and infinite
-/// readings, those outside the mount's range limits, and isolated points between a near and a far
-/// surface (mixed pixels, where the spot of the beam covers both). An empty scan gives an empty
-/// vector.
+/// Heights are above the origin of the body frame. Discarded are NaN and infinite readings, those
+/// outside the mount's range limits, and isolated points between a near and a far surface (mixed
+/// pixels, where the spot of the beam covers both). An empty scan gives an empty vector.
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
                                          const SurfaceParams& params,
                                          const Attitude& attitude = {});

@@ -32,9 +32,8 @@ struct StampedPose {
 /// Unknown values are NaN in the message: the velocities without `v_body`, the acceleration always.
 pose_t to_message(const StampedPose& pose);
 
-/// Rejects an implausible time, a
-/// position or orientation that is not finite, an orientation that is not a unit quaternion, or one
-/// that points straight up or down and has no heading.
+/// Rejects an implausible time, a position or orientation that is not finite, an orientation that
+/// is not a unit quaternion, or one that points straight up or down and has no heading.
 Result<StampedPose> from_message(const pose_t& message);
 
 scan_match_t to_message(const ScanMatch& match);

@@ -24,8 +24,8 @@ struct LevelPose {
 
   /// Transforms a point from b to a.
   friend Eigen::Vector3d operator*(const LevelPose& T_a_b, const Eigen::Vector3d& p_b) {
-    const Eigen::Vector2d plan = T_a_b.plan * Eigen::Vector2d(p_b.head<2>());
-    return {plan.x(), plan.y(), T_a_b.z_m + p_b.z()};
+    const Eigen::Vector2d p_plan = T_a_b.plan * Eigen::Vector2d(p_b.head<2>());
+    return {p_plan.x(), p_plan.y(), T_a_b.z_m + p_b.z()};
   }
 
   friend bool operator==(const LevelPose&, const LevelPose&) = default;

@@ -31,6 +31,7 @@ struct Cloud {
   Pose2 T_odom_level;      ///< planar pose of level in odom
   bool complete = true;    ///< false if the sweep ended early
   std::vector<CloudLine> lines;
+  double z_odom_m = 0.0;  ///< height of level in odom
 
   [[nodiscard]] std::size_t points() const {
     std::size_t n = 0;

@@ -47,8 +47,7 @@ OctreeCounts count_cells(std::span<const std::uint8_t> octree);
 
 /// A sub-volume: the free and occupied space around one place, and the pose of that place in map.
 /// The frame "volume" is the level frame of the first 3D scan in it: its z is 0 on the ground where
-/// that scan was taken. As map is a plane, rising ground makes a step between consecutive
-/// sub-volumes.
+/// that scan was taken.
 struct Volume {
   std::int64_t utime = 0;  ///< of the newest 3D scan in it [µs since the epoch]
   std::int32_t id = 0;     ///< 0, 1, ... in the order of the traversed path
@@ -61,6 +60,7 @@ struct Volume {
   std::int64_t occupied = 0;         ///< cells
   std::int64_t free = 0;             ///< cells
   std::vector<std::uint8_t> octree;  ///< see visit_leaves()
+  double z_map_m = 0.0;              ///< height of volume in map
 };
 
 }  // namespace adit

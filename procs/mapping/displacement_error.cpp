@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/sensing/seconds.hpp"
 
@@ -33,12 +34,16 @@ Eigen::Matrix3d DisplacementError::ErrorCovariance::sum() const {
 void DisplacementError::reset() {
   accumulated_ = {};
   unobserved_ = {};
+  last_step_ = {};
+  disagreement_.setZero();
 }
 
 void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& match) {
   const Eigen::Matrix3d Ad = adjoint(T_last_body.inverse());
   accumulated_.move(Ad);
   unobserved_.move(Ad);
+  disagreement_ = Ad * disagreement_;
+  add_disagreement(T_last_body, match);
   if (match.status == ScanMatch::Status::kMatched && match.degenerate.empty()) {
     end_unobserved_stretch();
     return;
@@ -46,6 +51,22 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
   unobserved_.add(unobserved_error(match));
   unobserved_m_ += T_last_body.translation().norm();
   unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
+}
+
+/// Between two matches of one laser lies one of the other: its distance from the motion between the
+/// two, in which the acceleration of the body over some hundredths of a second is negligible.
+void DisplacementError::add_disagreement(const Pose2& T_last_body, const ScanMatch& match) {
+  const Step before = std::exchange(
+      last_step_, {last_step_.channel, match.channel, duration_s(match), T_last_body});
+  const double both_s = before.duration_s + last_step_.duration_s;
+  const bool other_between = before.from_channel == match.channel && !before.channel.empty() &&
+                             before.channel != match.channel;
+  if (!other_between || !(both_s > 0.0)) return;
+  const Pose2 T_body_other = T_last_body.inverse();
+  const Pose2 T_body_before = (before.T_last_body * T_last_body).inverse();
+  const double share = last_step_.duration_s / both_s;
+  const Eigen::Vector3d disagreement = T_body_other.vector() - share * T_body_before.vector();
+  if (disagreement.head<2>().norm() > disagreement_.head<2>().norm()) disagreement_ = disagreement;
 }
 
 void DisplacementError::end_unobserved_stretch() {
@@ -106,7 +127,7 @@ void DisplacementError::add_travel(double distance_m, double turn_rad) {
 Eigen::Matrix3d DisplacementError::covariance() const {
   ErrorCovariance all = accumulated_;
   all.add(unobserved_);
-  Eigen::Matrix3d covariance = all.sum();
+  Eigen::Matrix3d covariance = all.sum() + 0.25 * disagreement_ * disagreement_.transpose();
   covariance.diagonal() +=
       Eigen::Vector3d(square(params_.floor_m), square(params_.floor_m), square(params_.floor_rad));
   return covariance;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
@@ -46,6 +48,10 @@ struct DisplacementErrorParams {
 /// scan: that of the odometry, assumed independent from step to step, or that of an assumed speed,
 /// which is the same in all steps. A short stretch of degenerate or lost scans leaves no error: the
 /// next good scan is matched against the same walls.
+///
+/// Two lasers are matched each against what it saw itself. Where surfaces deceive one of them, such
+/// as ground that it takes for a wall, their poses part, and later only one of them remains. Which
+/// is right is unknown: the largest disagreement of a displacement adds an error of half of it.
 class DisplacementError {
  public:
   explicit DisplacementError(const DisplacementErrorParams& params) : params_(params) {}
@@ -79,12 +85,22 @@ class DisplacementError {
   [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
                                                     const ScanMatch& match) const;
   void end_unobserved_stretch();
+  void add_disagreement(const Pose2& T_last_body, const ScanMatch& match);
 
   DisplacementErrorParams params_;
   ErrorCovariance accumulated_;
   ErrorCovariance unobserved_;  ///< of the current unobserved stretch
   double unobserved_m_ = 0.0;
   int unobserved_lost_ = 0;
+  /// A motion from one match to the next.
+  struct Step {
+    std::string from_channel;
+    std::string channel;
+    double duration_s = 0.0;
+    Pose2 T_last_body;
+  };
+  Step last_step_;
+  Eigen::Vector3d disagreement_ = Eigen::Vector3d::Zero();  ///< the largest, in the present body
 };
 
 }  // namespace adit

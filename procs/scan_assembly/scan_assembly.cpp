@@ -44,7 +44,9 @@ void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   scans_.clear();
   tilt_rad_.clear();
   T_odom_body_.clear();
+  z_odom_m_.clear();
   T_odom_body_.add(last_pose_->utime, last_pose_->T_odom_body);
+  z_odom_m_.add(last_pose_->utime, last_pose_->z_odom_m);
   T_odom_begin_ = last_pose_->T_odom_body;
   utime_ = begin_utime_ = scan_utime_ = tilt_utime_ = utime;
   sweep_.begin();
@@ -80,10 +82,11 @@ bool ScanAssembly::add(LaserId laser, const TiltReading& reading) {
   return true;
 }
 
-bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body) {
-  if (!T_odom_body.vector().allFinite()) return false;
-  last_pose_ = {utime, T_odom_body};
-  return sweep_.phase() != Phase::kIdle && T_odom_body_.add(utime, T_odom_body);
+bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m) {
+  if (!T_odom_body.vector().allFinite() || !std::isfinite(z_odom_m)) return false;
+  last_pose_ = {utime, T_odom_body, z_odom_m};
+  if (sweep_.phase() == Phase::kIdle || !T_odom_body_.add(utime, T_odom_body)) return false;
+  return z_odom_m_.add(utime, z_odom_m);
 }
 
 ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
@@ -154,6 +157,7 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   cloud.id = request_.id;
   cloud.complete = complete;
   cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
+  cloud.z_odom_m = z_odom_m_.at(cloud.utime).value();
   const Eigen::Vector3d up_body = up_body_.value_or(Eigen::Vector3d::UnitZ());
   const BeamPlacement placement(
       mount(), params_.timing,

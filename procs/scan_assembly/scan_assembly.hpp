@@ -70,7 +70,7 @@ class ScanAssembly {
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
   bool add(const ImuReading& reading) { return gravity_.add(reading); }
-  bool add(std::int64_t utime, const Pose2& T_odom_body);
+  bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m);
 
   /// Must be called at least ten times per second. A sweep ends with a cloud. An aborted sweep
   /// (timeout, stale sensor, motion of the robot) ends with an incomplete cloud, or with none if
@@ -101,6 +101,7 @@ class ScanAssembly {
   std::vector<LaserScan> scans_;
   InterpolationBuffer<double> tilt_rad_;
   InterpolationBuffer<Pose2> T_odom_body_;
+  InterpolationBuffer<double> z_odom_m_;  ///< of the body
   std::optional<Eigen::Vector3d> up_body_;
   Pose2 T_odom_begin_;
   std::int64_t first_line_utime_ = 0;  ///< the laser approached the start before it
@@ -113,6 +114,7 @@ class ScanAssembly {
   struct LastPose {
     std::int64_t utime = 0;
     Pose2 T_odom_body;
+    double z_odom_m = 0.0;
   };
   std::optional<LastPose> last_pose_;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSameHeadingRad = 0.5;  // largest difference of the headings of equivalent scans
 
-Pose2 viewpoint_in_map(const PlacedVolume& placed) {
+LevelPose viewpoint_in_map(const PlacedVolume& placed) {
   return placed.T_map_volume * placed.T_volume_viewpoint;
 }
 
@@ -25,18 +25,19 @@ StoredVolume stored(const PlacedVolume& placed) {
           placed.T_volume_viewpoint};
 }
 
-Pose2 viewpoint_of(const Cloud& cloud) {
+LevelPose viewpoint_of(const Cloud& cloud) {
   Eigen::Vector2f ahead(0.0F, 0.0F);
   for (const CloudLine& line : cloud.lines) ahead += line.origin.head<2>();
-  return {0.0, 0.0, std::atan2(double{ahead.y()}, double{ahead.x()})};
+  return {{0.0, 0.0, std::atan2(double{ahead.y()}, double{ahead.x()})}, 0.0};
 }
 
-bool is_same_viewpoint(const Pose2& T_a, const Pose2& T_b, double replace_radius_m) {
-  const Pose2 apart = between(T_a, T_b);
-  return std::abs(apart.theta) <= kSameHeadingRad && apart.translation().norm() <= replace_radius_m;
+bool is_same_viewpoint(const LevelPose& T_a, const LevelPose& T_b, double replace_radius_m) {
+  const LevelPose apart = between(T_a, T_b);
+  return std::abs(apart.plan.theta) <= kSameHeadingRad &&
+         apart.translation().norm() <= replace_radius_m;
 }
 
-void mark_departed(std::vector<PlacedVolume>& volumes, const Pose2& T_map_viewpoint,
+void mark_departed(std::vector<PlacedVolume>& volumes, const LevelPose& T_map_viewpoint,
                    double replace_radius_m) {
   for (PlacedVolume& placed : volumes) {
     const double apart_m =
@@ -46,7 +47,8 @@ void mark_departed(std::vector<PlacedVolume>& volumes, const Pose2& T_map_viewpo
 }
 
 std::vector<std::size_t> volumes_to_replace(const std::vector<PlacedVolume>& volumes,
-                                            const Pose2& T_map_viewpoint, double replace_radius_m) {
+                                            const LevelPose& T_map_viewpoint,
+                                            double replace_radius_m) {
   std::vector<std::size_t> older;
   const auto apart_m = [&](std::size_t i) {
     return (viewpoint_in_map(volumes[i]).translation() - T_map_viewpoint.translation()).norm();

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/geometry/pose2.hpp"
+#include "common/geometry/level_pose.hpp"
 #include "common/types/cloud.hpp"
 #include "procs/volume_map/sub_volume.hpp"
 
@@ -22,7 +22,7 @@ struct AnchoredOdom {
   std::int64_t end_utime = kNoEnd;
   int session = 0;
   int local_map = 0;  ///< id
-  Pose2 T_local_odom;
+  LevelPose T_local_odom;
 
   /// Whether a measurement of this time was taken in it.
   [[nodiscard]] bool has(std::int64_t utime) const {
@@ -37,25 +37,25 @@ struct PlacedVolume {
   /// The local map with which it moves.
   struct Anchor {
     int local_map = 0;  ///< id
-    Pose2 T_local_volume;
+    LevelPose T_local_volume;
   };
 
   SubVolume volume;
-  Pose2 T_odom_volume;           ///< level of its first scan
-  std::optional<Anchor> anchor;  ///< empty before the first pose graph
-  Pose2 T_map_volume;            ///< without an anchor odom serves as map
-  bool excluded = false;         ///< its pose in map cannot be determined
-  int replacements = 0;          ///< how often its scans were replaced
-  Pose2 T_volume_viewpoint{};    ///< viewpoint of its first scan; see is_same_viewpoint()
-  bool departed = false;         ///< the robot has scanned from elsewhere since
+  LevelPose T_odom_volume;         ///< level of its first scan
+  std::optional<Anchor> anchor;    ///< empty before the first pose graph
+  LevelPose T_map_volume;          ///< without an anchor odom serves as map
+  bool excluded = false;           ///< its pose in map cannot be determined
+  int replacements = 0;            ///< how often its scans were replaced
+  LevelPose T_volume_viewpoint{};  ///< viewpoint of its first scan; see is_same_viewpoint()
+  bool departed = false;           ///< the robot has scanned from elsewhere since
 };
 
 /// A placed volume as it is stored.
 struct StoredVolume {
   VolumeContents contents;
-  Pose2 T_odom_volume;
+  LevelPose T_odom_volume;
   std::optional<PlacedVolume::Anchor> anchor;
-  Pose2 T_volume_viewpoint{};
+  LevelPose T_volume_viewpoint{};
 };
 StoredVolume stored(const PlacedVolume& placed);
 
@@ -72,19 +72,20 @@ StoredVolume stored(const PlacedVolume& placed);
 
 /// Viewpoint and heading of a scan in level: its lasers are at the ends of the body and face
 /// outwards.
-[[nodiscard]] Pose2 viewpoint_of(const Cloud& cloud);
+[[nodiscard]] LevelPose viewpoint_of(const Cloud& cloud);
 
-/// Both poses must be in the same frame.
-[[nodiscard]] bool is_same_viewpoint(const Pose2& T_a, const Pose2& T_b, double replace_radius_m);
+/// Both poses must be in the same frame. Distances are in space: on another level is elsewhere.
+[[nodiscard]] bool is_same_viewpoint(const LevelPose& T_a, const LevelPose& T_b,
+                                     double replace_radius_m);
 
 /// Marks the volumes farther than `replace_radius_m` from the new viewpoint as departed.
-void mark_departed(std::vector<PlacedVolume>& volumes, const Pose2& T_map_viewpoint,
+void mark_departed(std::vector<PlacedVolume>& volumes, const LevelPose& T_map_viewpoint,
                    double replace_radius_m);
 
 /// Indices of the volumes to replace: first the one of this visit, the nearest if there are
 /// several, then all departed ones.
 [[nodiscard]] std::vector<std::size_t> volumes_to_replace(const std::vector<PlacedVolume>& volumes,
-                                                          const Pose2& T_map_viewpoint,
+                                                          const LevelPose& T_map_viewpoint,
                                                           double replace_radius_m);
 
 }  // namespace adit

@@ -11,12 +11,11 @@ namespace adit {
 namespace {
 
 /// Rounding to single precision moves a point by less than 1e-6 of its distance.
-Eigen::Vector3f move(const Pose2& T_a_b, const Eigen::Vector3f& p_b) {
-  const Eigen::Vector2d p_a = T_a_b * Eigen::Vector2d(p_b.head<2>().cast<double>());
-  return {static_cast<float>(p_a.x()), static_cast<float>(p_a.y()), p_b.z()};
+Eigen::Vector3f move(const LevelPose& T_a_b, const Eigen::Vector3f& p_b) {
+  return (T_a_b * Eigen::Vector3d(p_b.cast<double>())).cast<float>();
 }
 
-CloudLine move(const Pose2& T_a_b, const CloudLine& line) {
+CloudLine move(const LevelPose& T_a_b, const CloudLine& line) {
   CloudLine moved{line.utime, move(T_a_b, line.origin), {}, {}};
   moved.points.reserve(line.points.size());
   for (const Eigen::Vector3f& p : line.points) moved.points.push_back(move(T_a_b, p));
@@ -24,7 +23,7 @@ CloudLine move(const Pose2& T_a_b, const CloudLine& line) {
 }
 
 /// The lines of a cloud in the frame of the volume, without those whose origin is invalid.
-Cloud in_volume(const Cloud& cloud, const Pose2& T_volume_level) {
+Cloud in_volume(const Cloud& cloud, const LevelPose& T_volume_level) {
   Cloud scan;
   scan.utime = cloud.utime;
   scan.id = cloud.id;
@@ -60,7 +59,7 @@ void SubVolume::count_cells_of_octree() {
 }
 
 /// Sections and equations of Hornung et al. 2013 (OctoMap).
-void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
+void SubVolume::insert(const Cloud& cloud, const LevelPose& T_volume_level) {
   const Cloud scan = in_volume(cloud, T_volume_level);
   const ScanCells cells = trace_beams(scan);              // section 5.1: ray casting
   const auto runs = runs_of(cells.free, cells.occupied);  // section 5.1: occupied takes precedence

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
-#include "common/geometry/pose2.hpp"
+#include "common/geometry/level_pose.hpp"
 #include "common/types/cloud.hpp"
 #include "common/volume/voxel_grid.hpp"
 #include "procs/volume_map/occupancy_tree.hpp"
@@ -62,7 +62,7 @@ class SubVolume {
   SubVolume(const SubVolumeParams& params, VolumeContents contents);
 
   /// Inserts a scan, in any order of time. The sub-volume must be open.
-  void insert(const Cloud& cloud, const Pose2& T_volume_level);
+  void insert(const Cloud& cloud, const LevelPose& T_volume_level);
 
   /// Frees the data for further insertions. The most likely state of each cell remains, about 20 kB
   /// for a scan in a mine, and the points, 0.2 to 1 MB.

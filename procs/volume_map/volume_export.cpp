@@ -29,11 +29,10 @@ std::string header(std::size_t n) {
       n);
 }
 
-Vertex vertex(const VolumePoint& point, const Pose2& T_map_volume) {
-  const Eigen::Vector2d p_map =
-      T_map_volume * Eigen::Vector2d(point.p_volume.head<2>().cast<double>());
-  return {static_cast<float>(p_map.x()), static_cast<float>(p_map.y()), point.p_volume.z(),
-          point.scan};
+Vertex vertex(const VolumePoint& point, const LevelPose& T_map_volume) {
+  const Eigen::Vector3f p_map =
+      (T_map_volume * Eigen::Vector3d(point.p_volume.cast<double>())).cast<float>();
+  return {p_map.x(), p_map.y(), p_map.z(), point.scan};
 }
 
 }  // namespace

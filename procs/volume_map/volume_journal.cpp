@@ -26,12 +26,14 @@ struct OdomRecord {
   double x;
   double y;
   double theta;
+  double z_m;
 };
-static_assert(sizeof(OdomRecord) == 48);
+static_assert(sizeof(OdomRecord) == 56);
 
 OdomRecord record_of(const AnchoredOdom& odom) {
-  const Pose2& T = odom.T_local_odom;
-  return {odom.begin_utime, odom.end_utime, odom.session, odom.local_map, T.x, T.y, T.theta};
+  const auto& [plan, z_m] = odom.T_local_odom;
+  return {odom.begin_utime, odom.end_utime, odom.session, odom.local_map,
+          plan.x,           plan.y,         plan.theta,   z_m};
 }
 
 AnchoredOdom odom_of(const OdomRecord& record) {
@@ -39,7 +41,7 @@ AnchoredOdom odom_of(const OdomRecord& record) {
           record.end_utime,
           record.session,
           record.local_map,
-          {record.x, record.y, record.theta}};
+          {{record.x, record.y, record.theta}, record.z_m}};
 }
 
 }  // namespace

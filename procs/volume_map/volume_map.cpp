@@ -3,12 +3,13 @@
 #include "procs/volume_map/volume_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "common/geometry/pose2.hpp"
+#include "common/geometry/level_pose.hpp"
 #include "common/volume/volume.hpp"
 #include "procs/volume_map/scan_cells.hpp"
 #include "procs/volume_map/sub_volume.hpp"
@@ -20,8 +21,10 @@ namespace {
 /// dropped.
 class Resampler {
  public:
-  Resampler(double cell_m, const Pose2& T_map_volume)
-      : grid_(cell_m), T_map_volume_(T_map_volume) {}
+  Resampler(double cell_m, const LevelPose& T_map_volume)
+      : grid_(cell_m),
+        T_map_volume_(T_map_volume.plan),
+        rise_cells_(std::lround(T_map_volume.z_m / cell_m)) {}
 
   void add_centre(const VoxelGrid::Keys& keys, CellSet& set) const { add(keys, 0.0, 0.0, set); }
 
@@ -40,16 +43,19 @@ class Resampler {
         T_map_volume_ * Eigen::Vector2d(p_volume.x() + dx, p_volume.y() + dy);
     const auto at =
         grid_.keys_of({static_cast<float>(p_map.x()), static_cast<float>(p_map.y()), 0.0F});
-    if (at) set.insert(VoxelGrid::code_of({at->x(), at->y(), keys.z()}));
+    const std::int64_t z_key = keys.z() + rise_cells_;
+    if (!at || z_key < 0 || z_key >= std::int64_t{2} * VoxelGrid::kKeyOfOrigin) return;
+    set.insert(VoxelGrid::code_of({at->x(), at->y(), static_cast<int>(z_key)}));
   }
 
   VoxelGrid grid_;
   Pose2 T_map_volume_;
+  std::int64_t rise_cells_;  // rounding cell by cell could leave a layer empty
 };
 
 /// Transfers the centre of each occupied cell, so that walls do not become thicker, and four points
 /// of each free cell, so that rotated cells leave no holes in free space.
-void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free,
+void resample(const SubVolume& volume, const LevelPose& T_map_volume, CellSet& free,
               CellSet& occupied) {
   const Resampler resampler(volume.cell_m(), T_map_volume);
   visit_leaves(volume.octree(), [&](const CellRun& leaf) {
@@ -68,9 +74,13 @@ bool has_pose(const MapGraph& graph, int local_map) {
   return local_map >= 0 && static_cast<std::size_t>(local_map) < graph.poses.size();
 }
 
-const Pose2& pose(const MapGraph& graph, int local_map) {
-  return graph.poses[static_cast<std::size_t>(local_map)];
+/// T_map_local. Height 0 where the graph has none.
+LevelPose pose(const MapGraph& graph, int local_map) {
+  const auto id = static_cast<std::size_t>(local_map);
+  return {graph.poses[id], id < graph.z_m.size() ? graph.z_m[id] : 0.0};
 }
+
+LevelPose T_odom_level(const Cloud& cloud) { return {cloud.T_odom_level, cloud.z_odom_m}; }
 
 }  // namespace
 
@@ -125,7 +135,7 @@ bool VolumeMap::add(const Cloud& cloud) {
   const auto& odom = is_older_than_session(cloud) ? previous_odom_ : odom_;
   if (!newest_accepts(cloud, odom)) begin_volume(cloud, odom);
   PlacedVolume& newest = volumes_[newest_];
-  const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
+  const LevelPose T_volume_level = between(newest.T_odom_volume, T_odom_level(cloud));
   newest.volume.insert(cloud, T_volume_level);
   return true;
 }
@@ -144,7 +154,7 @@ bool VolumeMap::newest_accepts(const Cloud& cloud, const std::optional<AnchoredO
   const PlacedVolume& newest = volumes_[newest_];
   if (newest.anchor.has_value() != odom.has_value()) return false;
   if (odom && newest.anchor->local_map != odom->local_map) return false;
-  const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
+  const LevelPose T_volume_level = between(newest.T_odom_volume, T_odom_level(cloud));
   if (params_.replace_radius_m > 0.0) {
     return is_same_viewpoint(newest.T_volume_viewpoint, T_volume_level * viewpoint_of(cloud),
                              params_.replace_radius_m);
@@ -154,7 +164,7 @@ bool VolumeMap::newest_accepts(const Cloud& cloud, const std::optional<AnchoredO
 
 void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<AnchoredOdom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
-  PlacedVolume created{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
+  PlacedVolume created{SubVolume(params_), T_odom_level(cloud), {}, T_odom_level(cloud), false};
   created.T_volume_viewpoint = viewpoint_of(cloud);
   if (odom) anchor(created, *odom);
   const bool replaces = params_.replace_radius_m > 0.0 && odom && has_pose(graph_, odom->local_map);
@@ -170,7 +180,7 @@ void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<AnchoredOdo
 
 /// Discards the volumes that the new one replaces, and returns the id for the new one.
 std::size_t VolumeMap::replace_older(PlacedVolume& created) {
-  const Pose2 T_map_viewpoint = created.T_map_volume * created.T_volume_viewpoint;
+  const LevelPose T_map_viewpoint = created.T_map_volume * created.T_volume_viewpoint;
   mark_departed(volumes_, T_map_viewpoint, params_.replace_radius_m);
   const auto older = volumes_to_replace(volumes_, T_map_viewpoint, params_.replace_radius_m);
   if (older.empty()) return free_id();
@@ -217,11 +227,11 @@ void VolumeMap::set_correction(const MapCorrection& correction) {
 void VolumeMap::update_anchor() {
   if (!correction_ || correction_->revision != graph_.revision) return;
   if (!has_pose(graph_, correction_->local_map)) return;
-  const Pose2& T_map_local = pose(graph_, correction_->local_map);
+  const LevelPose T_map_local = pose(graph_, correction_->local_map);
   if (odom_ && odom_->session != correction_->session) end_odom(correction_->utime);
   odom_ = {odom_ ? odom_->begin_utime : session_begin_utime_, AnchoredOdom::kNoEnd,
            correction_->session, correction_->local_map,
-           between(T_map_local, correction_->T_map_odom)};
+           between(T_map_local, {correction_->T_map_odom, correction_->z_map_odom_m})};
   exclude_restored_volumes_of_other_odom();
   for (PlacedVolume& placed : volumes_) {
     if (!placed.anchor && !placed.excluded) anchor(placed, *odom_);

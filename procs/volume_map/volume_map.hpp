@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
-#include "common/geometry/pose2.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/types/cloud.hpp"
@@ -98,7 +97,8 @@ class VolumeMap {
   /// All sub-volumes in one tree in map, for export. The cells of sub-volumes are not aligned with
   /// those of map, so that the tree is resampled: a cell is occupied if it contains the centre of
   /// an occupied cell of any sub-volume, otherwise free if it contains a part of a free one (up to
-  /// a quarter of a cell from its sample points). Each cell has the log-odds of one measurement.
+  /// a quarter of a cell from its sample points). Heights are rounded to whole cells. Each cell has
+  /// the log-odds of one measurement.
   [[nodiscard]] OccupancyTree merged() const;
 
  private:

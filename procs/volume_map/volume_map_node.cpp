@@ -31,11 +31,12 @@ Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_
           volume.scans(),
           graph_revision,
           placed.anchor->local_map,
-          placed.T_map_volume,
+          placed.T_map_volume.plan,
           volume.cell_m(),
           volume.occupied(),
           volume.free(),
-          volume.octree()};
+          volume.octree(),
+          placed.T_map_volume.z_m};
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ class VolumeMapNode {
  private:
   struct Published {
     int revision = 0;  ///< 0: none yet
-    Pose2 T_map_volume;
+    LevelPose T_map_volume;
   };
 
   void on_cloud(const Cloud& cloud);

@@ -23,8 +23,9 @@ class Writer {
     const auto* begin = reinterpret_cast<const std::uint8_t*>(&value);
     bytes_.insert(bytes_.end(), begin, begin + sizeof(T));
   }
-  void put_pose(const Pose2& pose) {
-    for (const double number : {pose.x, pose.y, pose.theta}) put(number);
+  void put_pose(const LevelPose& pose) {
+    const auto& [plan, z_m] = pose;
+    for (const double number : {plan.x, plan.y, plan.theta, z_m}) put(number);
   }
   /// Byte planes: the first bytes of all words first. Neighbours have similar bytes, which
   /// compresses better.
@@ -57,10 +58,11 @@ class Reader {
     at_ += sizeof(T);
     return value;
   }
-  Pose2 get_pose() {
+  LevelPose get_pose() {
     const auto x = get<double>();
     const auto y = get<double>();
-    return {x, y, get<double>()};
+    const auto theta = get<double>();
+    return {{x, y, theta}, get<double>()};
   }
   std::vector<std::uint32_t> get_planes() {
     const auto n = get<std::uint64_t>();
@@ -134,7 +136,7 @@ std::vector<std::uint8_t> to_bytes(const VolumeRecord& record) {
   Writer writer;
   writer.put(static_cast<std::int32_t>(record.id));
   writer.put(static_cast<std::int32_t>(anchor ? anchor->local_map : -1));
-  writer.put_pose(anchor ? anchor->T_local_volume : Pose2{});
+  writer.put_pose(anchor ? anchor->T_local_volume : LevelPose{});
   writer.put_pose(T_odom_volume);
   writer.put_pose(T_volume_viewpoint);
   writer.put(contents.cell_m);
@@ -171,7 +173,7 @@ std::optional<VolumeRecord> volume_record_from(std::span<const std::uint8_t> byt
   auto& [contents, T_odom_volume, anchor, T_volume_viewpoint] = record.volume;
   record.id = reader.get<std::int32_t>();
   const auto local_map = reader.get<std::int32_t>();
-  const Pose2 T_local_volume = reader.get_pose();
+  const LevelPose T_local_volume = reader.get_pose();
   if (local_map >= 0) anchor = {local_map, T_local_volume};
   T_odom_volume = reader.get_pose();
   T_volume_viewpoint = reader.get_pose();

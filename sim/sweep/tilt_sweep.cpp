@@ -61,8 +61,8 @@ Cloud tilt_sweep(const Site& site, const Eigen::Isometry3d& T_world_body, const 
   LaserModel laser(site.scene(), sweep.laser, sweep.seed);
   Cloud cloud;
   cloud.T_odom_level = in_plan(T_world_body);
-  const Eigen::Isometry3d T_world_level =
-      in_space(cloud.T_odom_level, T_world_body.translation().z());
+  cloud.z_odom_m = T_world_body.translation().z();
+  const Eigen::Isometry3d T_world_level = in_space(cloud.T_odom_level, cloud.z_odom_m);
   const double period_s = sweep.laser.timing.scan_period_s(sweep.laser.angle_step_rad());
   for (int scan = 0; scan < sweep.scans; ++scan) {
     const Eigen::Isometry3d T_world_laser =

@@ -83,12 +83,12 @@ TEST(PowerLoss, RecoversAScanThatWasJustPublished) {
   drive.sweep(0.0);
   for (int i = 0; i < 1000 && drive.volume().volumes().empty(); ++i) drive.wait(0.02);
   ASSERT_EQ(drive.volume().volumes().size(), 1U);
-  const Pose2 before = drive.volume().volumes().front().T_map_volume;
+  const Pose2 before = drive.volume().volumes().front().T_map_volume.plan;
   EXPECT_EQ(drive.lose_power(kBeforeLastScan, random).scans_lost, 1);
   drive.wait(10.0);
   ASSERT_EQ(drive.volume().volumes().size(), 1U);
   EXPECT_EQ(drive.volume().excluded(), 0);
-  const Pose2 after = drive.volume().volumes().front().T_map_volume;
+  const Pose2 after = drive.volume().volumes().front().T_map_volume.plan;
   EXPECT_LT(between(before, after).translation().norm(), 0.05);
   EXPECT_LT(std::abs(between(before, after).theta), 0.01);
 }

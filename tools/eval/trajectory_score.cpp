@@ -100,7 +100,31 @@ double length_ratio(const std::vector<Station>& stations) {
   return true_length > 0.0 ? length / true_length : 0.0;
 }
 
+/// Root mean square of errors divided by the allowed ones, with the first poses aligned.
+void add_of_allowed(const std::vector<PosePair>& pairs, const Pose2& T_world_map, double rise_m,
+                    TrajectoryScore& score) {
+  const PosePair& start = pairs.front();
+  for (const PosePair& pair : pairs) {
+    const Pose2 from_start = between(start.reference, pair.reference);
+    const AllowedErrors allowed = allowed_errors(
+        std::hypot(from_start.x, from_start.y, pair.z_reference_m - start.z_reference_m));
+    const Eigen::Vector2d error =
+        T_world_map * pair.estimate.translation() - pair.reference.translation();
+    const double error_z_m = pair.z_estimate_m + rise_m - pair.z_reference_m;
+    score.plan_of_allowed += error.squaredNorm() / (allowed.plan_m * allowed.plan_m);
+    score.height_of_allowed += error_z_m * error_z_m / (allowed.height_m * allowed.height_m);
+  }
+  const auto count = static_cast<double>(pairs.size());
+  score.plan_of_allowed = std::sqrt(score.plan_of_allowed / count);
+  score.height_of_allowed = std::sqrt(score.height_of_allowed / count);
+}
+
 }  // namespace
+
+AllowedErrors allowed_errors(double distance_from_start_m) {
+  return {AllowedErrors::kAtStartM + AllowedErrors::kPlanShare * distance_from_start_m,
+          AllowedErrors::kAtStartM + AllowedErrors::kHeightShare * distance_from_start_m};
+}
 
 TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory& truth) {
   const std::vector<PosePair> pairs = pose_pairs(trajectory, truth);
@@ -113,6 +137,7 @@ TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory&
   const double rise_anchored_m = pairs.front().z_reference_m - pairs.front().z_estimate_m;
   score.heights = has_heights(trajectory);
   score.anchored = position_errors(pairs, T_world_map_anchored, rise_anchored_m);
+  add_of_allowed(pairs, T_world_map_anchored, rise_anchored_m, score);
   score.T_world_map = align(pairs);
   score.aligned = position_errors(pairs, score.T_world_map, mean_rise_m(pairs));
   const std::vector<Station> stations = stations_of(trajectory, truth);

@@ -25,6 +25,17 @@ struct RelativeErrors {
   double rotation_deg = 0.0;   ///< mean of the absolute angle
 };
 
+/// Errors that are allowed at a distance from the start of a mission, in space [m].
+struct AllowedErrors {
+  static constexpr double kAtStartM = 0.05;
+  static constexpr double kPlanShare = 0.0002;
+  static constexpr double kHeightShare = 0.0003;
+
+  double plan_m = kAtStartM;
+  double height_m = kAtStartM;
+};
+AllowedErrors allowed_errors(double distance_from_start_m);
+
 /// Error of a trajectory against the truth, over the times that the truth covers (Sturm et al.,
 /// "A benchmark for the evaluation of RGB-D SLAM systems", IROS 2012: absolute trajectory error and
 /// relative pose error; lengths instead of times as in Geiger et al., "Are we ready for autonomous
@@ -36,6 +47,9 @@ struct TrajectoryScore {
   Pose2 T_world_map;  ///< alignment with the least squared distances
   PositionErrors aligned;   ///< by T_world_map
   PositionErrors anchored;  ///< with the first poses aligned instead
+  /// Root mean square of the anchored errors divided by the allowed ones: up to 1 is accurate.
+  double plan_of_allowed = 0.0;
+  double height_of_allowed = 0.0;
   std::array<RelativeErrors, 3> relative{{{1.0}, {10.0}, {100.0}}};
   double true_length_m = 0.0;
   /// Length of the trajectory divided by that of the truth, both in steps of 0.5 m of the true

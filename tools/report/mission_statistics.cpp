@@ -49,6 +49,13 @@ void add_distances(const MissionRecords& records, const MissionMap& map,
   }
 }
 
+void add_consistency(const MissionRecords& records, const MissionMap& map,
+                     MissionStatistics& statistics) {
+  std::map<int, std::int64_t> utimes;
+  for (const LocalMap* local : map.full_map().local_maps) utimes[local->id] = local->utime;
+  statistics.consistency = score_consistency(map.full_map().graph, utimes, records.map.truth());
+}
+
 /// Time and reason of the return, from PHASE, otherwise from EXPLORATION.
 void add_return_home(const MissionRecords& records, MissionStatistics& statistics) {
   statistics.return_home_utime = records.phases.return_home_utime();
@@ -104,6 +111,7 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   statistics.last = records.phases.last();
   add_return_home(records, statistics);
   add_distances(records, map, statistics);
+  add_consistency(records, map, statistics);
   count_scans(records, statistics);
   statistics.local_maps = map.full_map().local_maps.size();
   statistics.loop_closures = count_loop_closures(map.full_map());
@@ -205,6 +213,21 @@ std::string outcome_text(const MissionStatistics& statistics) {
     text += fmt::format(" The simulated run failed: {}", sentence(*statistics.failure));
   }
   return text;
+}
+
+std::string accuracy_text(const MissionStatistics& statistics) {
+  if (!statistics.score) return "";
+  const TrajectoryScore& score = *statistics.score;
+  std::string text = fmt::format("RMSE from the start: {:.3f} m in plan ({:.1f} of the allowed)",
+                                 score.anchored.rmse_m, score.plan_of_allowed);
+  if (score.heights) {
+    text += fmt::format(", {:.3f} m in height ({:.1f})", score.anchored.z.rmse_m,
+                        score.height_of_allowed);
+  }
+  if (!statistics.consistency) return text;
+  const MapConsistency& consistency = *statistics.consistency;
+  return text + fmt::format("; {} of {} local maps in their 95 % ellipsoid",
+                            consistency.in_ellipsoid, consistency.local_maps);
 }
 
 }  // namespace adit

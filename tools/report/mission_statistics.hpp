@@ -11,6 +11,7 @@
 #include "common/sensing/seconds.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
+#include "tools/eval/map_consistency.hpp"
 #include "tools/eval/trajectory_score.hpp"
 #include "tools/map/summary.hpp"
 #include "tools/report/mission_map.hpp"
@@ -68,8 +69,9 @@ struct MissionStatistics {
   std::size_t revoked = 0;  ///< loop closures that were accepted and revoked later
   std::optional<FrontierCounts> frontiers;
   std::optional<double> explored_m;
-  std::optional<TrajectoryScore> score;  ///< against TRUTH
-  std::optional<std::string> failure;    ///< of a simulated run: a collision; empty: none
+  std::optional<TrajectoryScore> score;       ///< against TRUTH
+  std::optional<MapConsistency> consistency;  ///< of the local maps with TRUTH
+  std::optional<std::string> failure;         ///< of a simulated run: a collision; empty: none
   std::size_t stops = 0;
   double stopped_s = 0.0;
   std::size_t restarts = 0;
@@ -82,6 +84,9 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
 
 /// Outcome of a mission in one to three sentences.
 std::string outcome_text(const MissionStatistics& statistics);
+
+/// The errors against TRUTH, beside the allowed ones, in one line; empty without TRUTH.
+std::string accuracy_text(const MissionStatistics& statistics);
 
 /// "home", "stopped", "stranded", "in progress".
 const char* name_of(MissionOutcome outcome);

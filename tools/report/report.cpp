@@ -105,8 +105,12 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
   const MapContent content = map_content(records, statistics, map, grid);
   const std::string title = title_of(log_info);
   report_progress("writing", 0.3);
-  MissionReport report{outcome_text(statistics), statistics.scans, statistics.distance_travelled_m,
-                       0, collect_warnings(log_info, reader, map)};
+  MissionReport report{outcome_text(statistics),
+                       accuracy_text(statistics),
+                       statistics.scans,
+                       statistics.distance_travelled_m,
+                       0,
+                       collect_warnings(log_info, reader, map)};
   for (std::string& warning : write_report_files(
            {records, statistics, content, reader.volume(), title}, results.unfinished())) {
     report.warnings.push_back(std::move(warning));

@@ -17,7 +17,8 @@ struct ReportOptions {
 };
 
 struct MissionReport {
-  std::string outcome;  ///< one to three sentences
+  std::string outcome;   ///< one to three sentences
+  std::string accuracy;  ///< against TRUTH, one line; empty without
   std::size_t scans = 0;
   double distance_travelled_m = 0.0;
   std::size_t page_bytes = 0;         ///< of mission.html

@@ -61,8 +61,16 @@ Json truth_json(const MissionStatistics& statistics) {
                {"max_m", score.aligned.max_m},
                {"anchored_rmse_m", score.anchored.rmse_m},
                {"anchored_max_m", score.anchored.max_m},
-               {"true_length_m", score.true_length_m}};
+               {"true_length_m", score.true_length_m},
+               {"plan_of_allowed", score.plan_of_allowed}};
+  if (const auto& consistency = statistics.consistency) {
+    json["local_maps"] = consistency->local_maps;
+    json["in_95_percent_interval_xyz"] = consistency->in_interval;
+    json["in_95_percent_ellipsoid"] = consistency->in_ellipsoid;
+    json["normalised_error_squared"] = consistency->normalised_error_squared;
+  }
   if (!score.heights) return json;
+  json["height_of_allowed"] = score.height_of_allowed;
   json["anchored_rmse_z_m"] = score.anchored.z.rmse_m;
   json["anchored_max_z_m"] = score.anchored.z.max_m;
   return json;

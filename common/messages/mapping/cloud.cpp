@@ -3,6 +3,7 @@
 #include "common/messages/mapping/cloud.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -67,14 +68,16 @@ std::string_view rejection_reason(const CloudLine& line, const Cloud& cloud) {
 std::string_view header_rejection_reason(const cloud_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0) return "negative id";
-  if (!all_finite(message.T_odom_level)) return kPoseNotFinite;
+  if (!all_finite(message.T_odom_level) || !std::isfinite(message.z_odom_m)) {
+    return kPoseNotFinite;
+  }
   return fragment_rejection_reason(message, CloudFragment::kFragmentsMax);
 }
 
 constexpr std::size_t kVectorBytes = 3 * sizeof(float);
 
 Cloud header_of(const Cloud& cloud) {
-  return {cloud.utime, cloud.id, cloud.T_odom_level, cloud.complete, {}};
+  return {cloud.utime, cloud.id, cloud.T_odom_level, cloud.complete, {}, cloud.z_odom_m};
 }
 
 /// Encoded size: time, origin, both counts, points and misses.
@@ -91,6 +94,7 @@ cloud_t to_message(const CloudFragment& fragment) {
   message.utime = cloud.utime;
   message.id = cloud.id;
   set_pose(cloud.T_odom_level, message.T_odom_level);
+  message.z_odom_m = cloud.z_odom_m;
   message.complete = static_cast<std::int8_t>(cloud.complete);
   message.n_fragments = fragment.n_fragments;
   message.fragment = fragment.fragment;
@@ -102,8 +106,8 @@ cloud_t to_message(const CloudFragment& fragment) {
 Result<CloudFragment> from_message(const cloud_t& message) {
   if (const auto reason = header_rejection_reason(message); !reason.empty())
     return Rejected{reason};
-  Cloud cloud{
-      message.utime, message.id, pose_from(message.T_odom_level), message.complete != 0, {}};
+  Cloud cloud{message.utime,         message.id, pose_from(message.T_odom_level),
+              message.complete != 0, {},         message.z_odom_m};
   cloud.lines.reserve(message.lines.size());
   for (const cloud_line_t& line : message.lines) {
     cloud.lines.push_back(line_from(line));
@@ -134,7 +138,8 @@ std::vector<CloudFragment> split(const Cloud& cloud) {
 }
 
 bool same_header(const CloudFragment& a, const CloudFragment& b) {
-  return a.part.T_odom_level == b.part.T_odom_level && a.part.complete == b.part.complete;
+  return a.part.T_odom_level == b.part.T_odom_level && a.part.z_odom_m == b.part.z_odom_m &&
+         a.part.complete == b.part.complete;
 }
 
 std::size_t bytes_in_memory(const CloudFragment& fragment) {

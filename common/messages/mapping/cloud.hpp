@@ -30,10 +30,10 @@ struct CloudFragment {
 /// Lossless: from_message restores the same bits.
 cloud_t to_message(const CloudFragment& fragment);
 
-/// Rejects an implausible time, a negative id, a pose that is not finite, an implausible number of
-/// fragments or an index out of range, a fragment that is too large, lines after the end of the
-/// sweep, origins and points that are not finite or implausibly far, miss directions that are not
-/// unit vectors.
+/// Rejects an implausible time, a negative id, a pose or height that is not finite, an implausible
+/// number of fragments or an index out of range, a fragment that is too large, lines after the end
+/// of the sweep, origins and points that are not finite or implausibly far, miss directions that
+/// are not unit vectors.
 Result<CloudFragment> from_message(const cloud_t& message);
 
 /// Splits a cloud deterministically: each fragment but the last holds as many lines as fit

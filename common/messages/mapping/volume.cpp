@@ -3,6 +3,7 @@
 #include "common/messages/mapping/volume.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +18,7 @@ std::string_view header_rejection_reason(const volume_t& message) {
   if (message.id < 0 || message.local_map < 0) return "negative id";
   if (message.revision < 1) return "revision without a cloud";
   if (message.graph_revision < 0) return "negative revision";
-  if (!all_finite(message.T_map_volume)) return kPoseNotFinite;
+  if (!all_finite(message.T_map_volume) || !std::isfinite(message.z_map_m)) return kPoseNotFinite;
   if (!(message.cell_m > 0.0 && message.cell_m <= VolumeFragment::kCellMaxM)) {
     return "implausible cell size";
   }
@@ -45,6 +46,7 @@ volume_t to_message(const VolumeFragment& fragment) {
   message.graph_revision = volume.graph_revision;
   message.local_map = volume.local_map;
   set_pose(volume.T_map_volume, message.T_map_volume);
+  message.z_map_m = volume.z_map_m;
   message.cell_m = volume.cell_m;
   message.occupied = volume.occupied;
   message.free = volume.free;
@@ -63,7 +65,7 @@ Result<VolumeFragment> from_message(const volume_t& message) {
   Volume volume{message.utime,          message.id,        message.revision,
                 message.graph_revision, message.local_map, pose_from(message.T_map_volume),
                 message.cell_m,         message.occupied,  message.free,
-                message.octree};
+                message.octree,         message.z_map_m};
   return VolumeFragment{std::move(volume), message.n_fragments, message.fragment};
 }
 
@@ -75,7 +77,8 @@ constexpr std::size_t kBytesPerFragment = kFragmentBytes - kVolumeHeaderBytes;
 Volume header_of(const Volume& volume) {
   return {
       volume.utime,        volume.id,     volume.revision, volume.graph_revision, volume.local_map,
-      volume.T_map_volume, volume.cell_m, volume.occupied, volume.free,           {}};
+      volume.T_map_volume, volume.cell_m, volume.occupied, volume.free,           {},
+      volume.z_map_m};
 }
 
 }  // namespace
@@ -99,8 +102,9 @@ VolumeFragment pose_only(const Volume& volume) { return {header_of(volume), 0, 0
 
 bool same_header(const VolumeFragment& a, const VolumeFragment& b) {
   return a.part.graph_revision == b.part.graph_revision && a.part.local_map == b.part.local_map &&
-         a.part.T_map_volume == b.part.T_map_volume && a.part.cell_m == b.part.cell_m &&
-         a.part.occupied == b.part.occupied && a.part.free == b.part.free;
+         a.part.T_map_volume == b.part.T_map_volume && a.part.z_map_m == b.part.z_map_m &&
+         a.part.cell_m == b.part.cell_m && a.part.occupied == b.part.occupied &&
+         a.part.free == b.part.free;
 }
 
 std::size_t bytes_in_memory(const VolumeFragment& fragment) { return fragment.part.octree.size(); }

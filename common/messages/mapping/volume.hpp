@@ -27,9 +27,9 @@ struct VolumeFragment {
 
 volume_t to_message(const VolumeFragment& fragment);
 
-/// Rejects an implausible time, a negative id or count, a revision without clouds, a pose that is
-/// not finite, an implausible cell size, an implausible number of fragments or an index out of
-/// range, a fragment that is too large, an octree in a pose-only message. The octree itself is
+/// Rejects an implausible time, a negative id or count, a revision without clouds, a pose or height
+/// that is not finite, an implausible cell size, an implausible number of fragments or an index out
+/// of range, a fragment that is too large, an octree in a pose-only message. The octree itself is
 /// validated when its fragments are reassembled.
 Result<VolumeFragment> from_message(const volume_t& message);
 

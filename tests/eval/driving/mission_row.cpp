@@ -3,6 +3,7 @@
 #include "tests/eval/driving/mission_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -24,9 +25,11 @@ namespace test {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_start_m, farthest_m,
                                    relief_m, corridor_m, covered_share, missed_m,
                                    certainly_missed_m, distance_travelled_m, simulated_s, wall_s,
-                                   scans, rmse_m, rmse_xyz_m, rmse_estimated_m, rmse_estimated_z_m,
-                                   length_ratio, verdicts, false_verdicts, unconfirmed,
-                                   route_home_verdicts, complete, rescans, back_offs, guard_stops)
+                                   scans, rmse_m, rmse_xyz_m, plan_of_allowed, height_of_allowed,
+                                   local_maps, in_interval, in_ellipsoid, normalised_error_squared,
+                                   rmse_estimated_m, rmse_estimated_z_m, length_ratio, verdicts,
+                                   false_verdicts, unconfirmed, route_home_verdicts, complete,
+                                   rescans, back_offs, guard_stops)
 
 }  // namespace test
 
@@ -63,11 +66,25 @@ void read_score(int status, MissionRow& row, const MissionRowOptions& options) {
   std::cerr << row.name << ": " << row.score.outcome << ", " << row.score.reason << "\n";
 }
 
+/// "97, 95, 93; 94", in percent.
+std::string coverage_text(const std::array<std::size_t, 3>& in_interval, std::size_t in_ellipsoid,
+                          std::size_t local_maps) {
+  if (local_maps == 0) return "–";
+  const auto percent = [&](std::size_t n) {
+    return 100.0 * static_cast<double>(n) / static_cast<double>(local_maps);
+  };
+  return format("%.0f, %.0f, %.0f; %.0f", percent(in_interval[0]), percent(in_interval[1]),
+                percent(in_interval[2]), percent(in_ellipsoid));
+}
+
 struct MissionSums {
   int returned = 0, failed = 0, crashed = 0, returned_to_start = 0, verdicts = 0,
       false_verdicts = 0;
   int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
       certainly_false_complete = 0, guard_stops = 0;
+  std::size_t local_maps = 0, in_ellipsoid = 0;
+  std::array<std::size_t, 3> in_interval{};
+  double plan_of_allowed = 0.0, height_of_allowed = 0.0, normalised_error_squared = 0.0;
   double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
 
   void add(const test::MissionScore& score) {
@@ -83,6 +100,13 @@ struct MissionSums {
     false_complete += score.false_complete();
     certainly_false_complete += score.complete && score.certainly_missed_m > 2.0;
     guard_stops += score.guard_stops;
+    local_maps += score.local_maps;
+    in_ellipsoid += score.in_ellipsoid;
+    for (std::size_t i = 0; i < 3; ++i) in_interval[i] += score.in_interval[i];
+    normalised_error_squared +=
+        static_cast<double>(score.local_maps) * score.normalised_error_squared;
+    plan_of_allowed = std::max(plan_of_allowed, score.plan_of_allowed);
+    height_of_allowed = std::max(height_of_allowed, score.height_of_allowed);
     covered_share += score.covered_share;
     distance_travelled_m += score.distance_travelled_m;
     simulated_s += score.simulated_s;
@@ -130,7 +154,9 @@ void print_table(const std::vector<MissionRow>& rows) {
   print_heading(
       "| mine | outcome | from the start (m) | farthest (m) | corridor (m) | seen (%) "
       "| missed; by the vehicle with margin (m) | path length (m) | simulated (s) | wall (s) "
-      "| scans | RMSE, map (m) | RMSE, online (m) | length ratio | blocked | falsely blocked "
+      "| scans | RMSE, map (m); of allowed | RMSE of z, map (m); of allowed "
+      "| x, y, z in 95 % interval (%); in ellipsoid (%) | RMSE, online (m) | length ratio | "
+      "blocked | falsely blocked "
       "| unconfirmed | on the return route | complete | falsely complete | rescans | back-offs "
       "| guard stops |");
   for (const auto& [name, world, score] : rows) {
@@ -140,11 +166,14 @@ void print_table(const std::vector<MissionRow>& rows) {
                   score.farthest_m, score.corridor_m, 100.0 * score.covered_share, score.missed_m,
                   score.certainly_missed_m, score.distance_travelled_m, score.simulated_s,
                   score.wall_s, score.scans)
-        << format("| %.2f | %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d |\n",
-                  score.rmse_m, score.rmse_estimated_m, score.length_ratio, score.verdicts,
-                  score.false_verdicts, score.unconfirmed, score.route_home_verdicts,
-                  score.complete ? "yes" : "no", score.false_complete() ? "yes" : "no",
-                  score.rescans, score.back_offs, score.guard_stops);
+        << format("| %.3f; %.1f | %.3f; %.1f | %s ", score.rmse_m, score.plan_of_allowed,
+                  score.rmse_xyz_m[2], score.height_of_allowed,
+                  coverage_text(score.in_interval, score.in_ellipsoid, score.local_maps).c_str())
+        << format("| %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d |\n",
+                  score.rmse_estimated_m, score.length_ratio, score.verdicts, score.false_verdicts,
+                  score.unconfirmed, score.route_home_verdicts, score.complete ? "yes" : "no",
+                  score.false_complete() ? "yes" : "no", score.rescans, score.back_offs,
+                  score.guard_stops);
   }
 }
 
@@ -168,6 +197,13 @@ void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
              sum.complete, sum.false_complete, sum.certainly_false_complete)
       << format("| guard stops | %d |\n", sum.guard_stops)
       << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
+      << format("| largest RMSE over the allowed, in plan; in height | %.1f; %.1f |\n",
+                sum.plan_of_allowed, sum.height_of_allowed)
+      << format("| x, y, z of local maps in 95 %% interval; in ellipsoid | %s %% |\n",
+                coverage_text(sum.in_interval, sum.in_ellipsoid, sum.local_maps).c_str())
+      << format("| normalised error squared, mean (3 is consistent) | %.2f |\n",
+                sum.normalised_error_squared /
+                    std::max<double>(1.0, static_cast<double>(sum.local_maps)))
       << format("| path length, simulated time, wall time | %.0f m, %.0f s, %.0f s |\n",
                 sum.distance_travelled_m, sum.simulated_s, wall_s);
 }

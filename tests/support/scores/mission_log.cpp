@@ -16,6 +16,7 @@
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sim.hpp"
+#include "tools/map/full_map.hpp"
 
 namespace adit::test {
 namespace {
@@ -31,7 +32,7 @@ class Reader {
     if (on(channels::kPose))
       add_message<pose_t>(event, [this](const auto& pose) { add_pose(pose); });
     if (on(channels::kMapCorrection)) {
-      add_message<map_correction_t>(event, [this](const auto& c) { T_map_odom_ = c.T_map_odom; });
+      add_message<map_correction_t>(event, [this](const auto& c) { correction_ = c; });
     }
     if (on(channels::kLocalMap)) {
       add_message<local_map_t>(
@@ -57,7 +58,8 @@ class Reader {
   }
 
   MissionLog log() && {
-    for (const TimedPose& at : odom_) add_mapped(at);
+    add_mapped();
+    log_.graph = std::move(graph_);
     return std::move(log_);
   }
 
@@ -80,7 +82,8 @@ class Reader {
   void add_pose(const StampedPose& pose) {
     if (!is_due(odom_, pose.utime)) return;
     odom_.push_back({pose.utime, pose.T_odom_body, pose.z_m});
-    log_.estimated.push_back({pose.utime, T_map_odom_ * pose.T_odom_body, pose.z_m});
+    log_.estimated.push_back({pose.utime, correction_.T_map_odom * pose.T_odom_body,
+                              correction_.z_map_odom_m + pose.z_m});
   }
   void add(const PoseGraphFragment& fragment) {
     if (auto graph = graphs_.add(fragment)) graph_ = std::move(*graph);
@@ -101,21 +104,23 @@ class Reader {
     stopped_ = order.stopped;
   }
 
-  /// Places a pose by the local map that was the newest at its time.
-  void add_mapped(const TimedPose& at) {
-    const LocalMap* newest = nullptr;
+  void add_mapped() {
+    std::vector<MapAnchor> anchors;
     for (const auto& [id, map] : locals_) {
-      const bool in_graph = static_cast<std::size_t>(id) < graph_.poses.size();
-      if (in_graph && map.utime <= at.utime) newest = &map;
+      log_.local_map_utimes[id] = map.utime;
+      if (static_cast<std::size_t>(id) < graph_.poses.size()) {
+        anchors.push_back(map_anchor(map, graph_));
+      }
     }
-    if (!newest) return;
-    const Pose2& T_map_local = graph_.poses[static_cast<std::size_t>(newest->id)];
-    log_.mapped.push_back({at.utime, T_map_local * between(newest->T_odom_local, at.pose), at.z_m});
+    if (anchors.empty()) return;
+    for (const TimedPose& at : corrected_trajectory(odom_, anchors)) {
+      if (at.utime >= anchors.front().utime) log_.mapped.push_back(at);
+    }
   }
 
   MissionLog log_;
   Trajectory odom_;
-  Pose2 T_map_odom_;
+  MapCorrection correction_;
   std::map<int, LocalMap> locals_;  ///< with a part of their scans only
   PoseGraphReassembler graphs_;
   MapGraph graph_;

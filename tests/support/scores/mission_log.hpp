@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/pose_graph/map_graph.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
 #include "tools/eval/trajectory.hpp"
@@ -16,15 +18,17 @@ namespace adit::test {
 
 /// The contents of the log of a simulated mission.
 struct MissionLog {
-  Trajectory truth;                  ///< T_world_body
-  Trajectory estimated;              ///< T_map_body, as estimated at the time
-  Trajectory mapped;                 ///< T_map_body by the last graph, from the first local map on
-  std::vector<MissionPhase> phases;  ///< each change once
-  std::vector<BlockedVerdict> verdicts;     ///< each once
-  std::optional<ExplorationReport> report;  ///< the last
-  int guard_stops = 0;                      ///< while a path was driven
-  double distance_travelled_m = 0.0;        ///< true
-  std::string failure;                      ///< why the run failed; empty if it did not
+  Trajectory truth;      ///< T_world_body
+  Trajectory estimated;  ///< T_map_body, as estimated at the time
+  Trajectory mapped;     ///< T_map_body by the last graph, from the first local map on
+  MapGraph graph;        ///< the last one
+  std::map<int, std::int64_t> local_map_utimes;  ///< begin of each local map
+  std::vector<MissionPhase> phases;              ///< each change once
+  std::vector<BlockedVerdict> verdicts;          ///< each once
+  std::optional<ExplorationReport> report;       ///< the last
+  int guard_stops = 0;                           ///< while a path was driven
+  double distance_travelled_m = 0.0;             ///< true
+  std::string failure;                           ///< why the run failed; empty if it did not
 };
 
 /// Reads a log; poses are sampled at 10 Hz. Throws std::runtime_error if the file is not an LCM

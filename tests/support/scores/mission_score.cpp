@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/robots/exploring_robot.hpp"
+#include "tools/eval/map_consistency.hpp"
 #include "tools/eval/trajectory_score.hpp"
 
 namespace adit::test {
@@ -82,7 +83,18 @@ void add_trajectory(const MissionLog& log, MissionScore& score) {
   const TrajectoryScore mapped = score_trajectory(log.mapped, log.truth);
   score.rmse_m = mapped.anchored.rmse_m;
   score.rmse_xyz_m = {mapped.anchored.x.rmse_m, mapped.anchored.y.rmse_m, mapped.anchored.z.rmse_m};
+  score.plan_of_allowed = mapped.plan_of_allowed;
+  score.height_of_allowed = mapped.height_of_allowed;
   score.length_ratio = mapped.length_ratio;
+}
+
+void add_consistency(const MissionLog& log, MissionScore& score) {
+  const auto consistency = score_consistency(log.graph, log.local_map_utimes, log.truth);
+  if (!consistency) return;
+  score.local_maps = consistency->local_maps;
+  score.in_interval = consistency->in_interval;
+  score.in_ellipsoid = consistency->in_ellipsoid;
+  score.normalised_error_squared = consistency->normalised_error_squared;
 }
 
 /// Flags of the corridor points that were observed.
@@ -148,6 +160,7 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
   score.outcome = outcome_of(log);
   add_phases(log, score);
   add_trajectory(log, score);
+  add_consistency(log, score);
   add_coverage(log, score);
   add_verdicts(log, score);
   score.guard_stops = log.guard_stops;

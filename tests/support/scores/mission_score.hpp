@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 #include "sim/world/world.hpp"
@@ -28,10 +29,16 @@ struct MissionScore {
   int scans = 0;
   double rmse_m = 0.0;  ///< in plan, of T_map_body by the last graph, aligned at the start
   std::array<double, 3> rmse_xyz_m{};  ///< the same along the axes of the world
-  double rmse_estimated_m = 0.0;       ///< in plan, of T_map_body as estimated at the time
-  double rmse_estimated_z_m = 0.0;     ///< the same in height
-  double length_ratio = 0.0;           ///< path length by the last graph over the true one
-  int verdicts = 0;                    ///< blocked verdicts on frontiers
+  double plan_of_allowed = 0.0;        ///< root mean square of error over allowed error, see
+  double height_of_allowed = 0.0;      ///< TrajectoryScore
+  std::size_t local_maps = 0;          ///< see MapConsistency
+  std::array<std::size_t, 3> in_interval{};
+  std::size_t in_ellipsoid = 0;
+  double normalised_error_squared = 0.0;
+  double rmse_estimated_m = 0.0;    ///< in plan, of T_map_body as estimated at the time
+  double rmse_estimated_z_m = 0.0;  ///< the same in height
+  double length_ratio = 0.0;        ///< path length by the last graph over the true one
+  int verdicts = 0;                 ///< blocked verdicts on frontiers
   int false_verdicts = 0;       ///< of these, where an inflated vehicle fits beyond the frontier
   int unconfirmed = 0;          ///< frontiers abandoned without an observed obstacle
   int route_home_verdicts = 0;  ///< blocked verdicts on the route home or without a frontier

@@ -27,6 +27,7 @@ void print_report(const ReportOptions& options) {
   for (const std::string& message : result.warnings) {
     std::cerr << fmt::format("adit: {}\n", message);
   }
+  if (!result.accuracy.empty()) std::cout << result.accuracy << "\n";
   std::cout << fmt::format("{}: {}\n", (options.folder / "mission.html").string(), result.outcome)
             << std::flush;
 }

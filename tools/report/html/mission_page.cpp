@@ -56,7 +56,16 @@ HtmlMetrics map_metrics(const MissionStatistics& statistics) {
     metrics.emplace_back("Largest trajectory error", metres(statistics.score->aligned.max_m, 2));
     metrics.emplace_back("RMSE, anchored at the start",
                          metres(statistics.score->anchored.rmse_m, 2));
+    if (statistics.score->heights) {
+      metrics.emplace_back("RMSE in height, anchored",
+                           metres(statistics.score->anchored.z.rmse_m, 2));
+    }
     metrics.emplace_back("True path length", metres(statistics.score->true_length_m));
+  }
+  if (const auto& consistency = statistics.consistency) {
+    metrics.emplace_back(
+        "In their 95 % ellipsoid",
+        fmt::format("{} of {} local maps", consistency->in_ellipsoid, consistency->local_maps));
   }
   return metrics;
 }

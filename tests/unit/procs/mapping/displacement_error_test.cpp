@@ -107,5 +107,41 @@ TEST(DisplacementError, DropsAShortDegenerateOrLostStretch) {
   EXPECT_GT(sd(long_loss, 0), 0.2);  // the reference of scan matching was reset
 }
 
+/// Straight at 0.4 m/s; front and rear laser alternate. The rear one is beside the front one.
+DisplacementError with_two_lasers(double rear_beside_m) {
+  DisplacementError error{DisplacementErrorParams{}};
+  ScanMatch match = matched();
+  match.utime = match.reference_utime + 13'000;
+  double side_m = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    match.channel = i % 2 == 0 ? "LASER_FRONT" : "LASER_REAR";
+    const double next_side_m = i % 2 == 0 ? 0.0 : rear_beside_m;
+    error.add_step({0.0052, next_side_m - side_m, 0.0}, match);
+    side_m = next_side_m;
+  }
+  return error;
+}
+
+TEST(DisplacementError, HasHalfTheDisagreementOfTwoLasers) {
+  const Eigen::Matrix3d agreeing = with_two_lasers(0.0).covariance();
+  const Eigen::Matrix3d parted = with_two_lasers(0.12).covariance();
+  EXPECT_NEAR(parted(1, 1) - agreeing(1, 1), 0.06 * 0.06, 1e-9);
+  EXPECT_NEAR(parted(0, 0) - agreeing(0, 0), 0.0, 1e-9);
+}
+
+TEST(DisplacementError, HasNoDisagreementOfOneLaser) {
+  DisplacementError error{DisplacementErrorParams{}};
+  const double before = sd(error, 0);
+  for (int i = 0; i < 10; ++i) error.add_step({i % 2 == 0 ? 0.0 : 0.1, 0.0, 0.0}, matched());
+  EXPECT_NEAR(sd(error, 0), before, 1e-9);
+}
+
+TEST(DisplacementError, ForgetsTheDisagreementOfTheLastDisplacement) {
+  DisplacementError error = with_two_lasers(0.12);
+  error.reset();
+  const DisplacementError fresh{DisplacementErrorParams{}};
+  EXPECT_NEAR(sd(error, 1), sd(fresh, 1), 1e-12);
+}
+
 }  // namespace
 }  // namespace adit

@@ -76,6 +76,7 @@ Cloud cloud_of(int id) {
   cloud.utime = kFirstUtime + id;
   cloud.id = id;
   cloud.T_odom_level = {1.0, 2.0, 0.25};
+  cloud.z_odom_m = -3.5;
   for (int i = 0; i < 200; ++i) {
     CloudLine line;
     line.utime = kFirstUtime - 200 + i;
@@ -108,6 +109,7 @@ TEST_F(CloudJournalTest, RestoresAStoredCloud) {
   EXPECT_EQ(loaded.utime, cloud.utime);
   EXPECT_EQ(loaded.id, cloud.id);
   EXPECT_EQ(loaded.T_odom_level, cloud.T_odom_level);
+  EXPECT_EQ(loaded.z_odom_m, cloud.z_odom_m);
   EXPECT_TRUE(loaded.complete);
   ASSERT_EQ(loaded.lines.size(), cloud.lines.size());
   for (std::size_t i = 0; i < cloud.lines.size(); ++i) {

@@ -40,6 +40,17 @@ TEST(ScanAssembly, PutsEveryPointOnASurface) {
   EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 
+TEST(ScanAssembly, PutsLevelAtTheHeightOfTheBody) {
+  Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
+  T_world_body.translation().z() = 0.3;
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), at_rest(T_world_body));
+  ScanAssembly assembly(assembly_params());
+  const auto cloud = robot.sweep(assembly);
+  ASSERT_TRUE(cloud);
+  EXPECT_EQ(cloud->z_odom_m, 0.3);
+  EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
+}
+
 TEST(ScanAssembly, IsAsExactAsTheLaser) {
   SweepingRobot robot(box_tunnel(kTunnel), LaserParams{});
   ScanAssemblyParams params = assembly_params();

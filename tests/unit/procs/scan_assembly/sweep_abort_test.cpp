@@ -99,7 +99,7 @@ TEST(ScanRequest, IsRejectedWithoutAPose) {
 
 TEST(ScanRequest, IsRejectedDuringASweep) {
   ScanAssembly assembly(assembly_params());
-  assembly.add(kStart, Pose2{});
+  assembly.add(kStart, Pose2{}, 0.0);
   assembly.begin({kStart, 1, LaserId::kFront}, kStart);
   EXPECT_TRUE(assembly.advance(kStart).command);
   assembly.begin({kStart, 2, LaserId::kRear}, kStart);
@@ -109,9 +109,10 @@ TEST(ScanRequest, IsRejectedDuringASweep) {
 
 TEST(SweepInput, RejectsReadingsThatAreNotFinite) {
   ScanAssembly assembly(assembly_params());
-  EXPECT_FALSE(assembly.add(kStart, Pose2{0.0, kNaN, 0.0}));
+  EXPECT_FALSE(assembly.add(kStart, Pose2{0.0, kNaN, 0.0}, 0.0));
+  EXPECT_FALSE(assembly.add(kStart, Pose2{}, kNaN));
   EXPECT_FALSE(assembly.add(ImuReading{kStart, {}, {0.0, kNaN, 9.81}}));
-  assembly.add(kStart, Pose2{});
+  assembly.add(kStart, Pose2{}, 0.0);
   assembly.begin({kStart, 1, LaserId::kFront}, kStart);
   EXPECT_FALSE(assembly.add(LaserId::kFront, TiltReading{kStart, kNaN, 0.0}));
   EXPECT_TRUE(assembly.add(LaserId::kFront, TiltReading{kStart, 0.1, kNaN}));
@@ -120,7 +121,7 @@ TEST(SweepInput, RejectsReadingsThatAreNotFinite) {
 /// An assembly during a sweep.
 ScanAssembly sweeping() {
   ScanAssembly assembly(assembly_params());
-  assembly.add(kStart, Pose2{});
+  assembly.add(kStart, Pose2{}, 0.0);
   assembly.begin({kStart, 1, LaserId::kFront}, kStart);
   assembly.advance(kStart);
   assembly.add(LaserId::kFront, TiltReading{kStart, -0.5, 0.0});

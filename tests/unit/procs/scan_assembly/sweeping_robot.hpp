@@ -89,7 +89,7 @@ class SweepingRobot {
     if (step % 2 == 0 && delivers_tilts(seconds_)) deliver_tilt(assembly);
     const Eigen::Vector3d p = T_world_body.translation();
     const Eigen::Vector3d x = T_world_body.linear().col(0);
-    assembly.add(utime_, Pose2{p.x(), p.y(), std::atan2(x.y(), x.x())});
+    assembly.add(utime_, Pose2{p.x(), p.y(), std::atan2(x.y(), x.x())}, p.z());
     const Eigen::Vector3d up(0.0, 0.0, 9.81);
     if (has_imu) assembly.add(ImuReading{utime_, {}, T_world_body.linear().transpose() * up});
   }
@@ -128,7 +128,8 @@ inline double largest_error(const BoxTunnel& tunnel, const Cloud& cloud) {
   for (const CloudLine& line : cloud.lines) {
     for (const Eigen::Vector3f& p_level : line.points) {
       const Eigen::Vector2d p = cloud.T_odom_level * p_level.head<2>().cast<double>();
-      largest = std::max(largest, distance_to_surface(tunnel, {p.x(), p.y(), p_level.z()}));
+      largest = std::max(largest,
+                         distance_to_surface(tunnel, {p.x(), p.y(), p_level.z() + cloud.z_odom_m}));
     }
   }
   return largest;

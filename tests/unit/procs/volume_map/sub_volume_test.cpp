@@ -19,7 +19,7 @@ using test::sweep_of_tunnel;
 
 SubVolume volume_of(const Cloud& cloud, const Pose2& T_volume_level = {}) {
   SubVolume volume{SubVolumeParams{}};
-  volume.insert(cloud, T_volume_level);
+  volume.insert(cloud, {T_volume_level, 0.0});
   return volume;
 }
 
@@ -63,7 +63,7 @@ TEST(SubVolume, CombinesScansFromSeveralPlaces) {
   const Pose2 T_world_level{3.0, -0.5, -0.4};
   volume.insert(sweep_of_tunnel(T_world_volume), {});
   const std::int64_t before = volume.free();
-  volume.insert(sweep_of_tunnel(T_world_level), between(T_world_volume, T_world_level));
+  volume.insert(sweep_of_tunnel(T_world_level), {between(T_world_volume, T_world_level), 0.0});
   EXPECT_EQ(volume.scans(), 2);
   EXPECT_GT(volume.free(), before);
   const VoxelGrid grid(volume.cell_m());

@@ -217,7 +217,7 @@ TEST_F(VolumeJournalOnDisk, AnchorsAnEarlierScanByItsOdomFrameAfterARestart) {
   EXPECT_EQ(again.localized_from_utime(), kUtime - 50);
   EXPECT_TRUE(again.add(sweep(7, 1.0)));
   const Pose2 expected = T_map_odom * Pose2{1.0, 0.0, 0.0};
-  const Pose2& T_map_volume = again.volumes().back().T_map_volume;
+  const Pose2& T_map_volume = again.volumes().back().T_map_volume.plan;
   EXPECT_LT((T_map_volume.vector() - expected.vector()).norm(), 1e-9);
   EXPECT_FALSE(again.add(sweep(-60, 0.0)));  // from before that odom frame
   EXPECT_EQ(again.excluded(), 1);
@@ -295,9 +295,9 @@ TEST(VolumeMapOverSessions, AnchorsAScanToItsOdomFrame) {
   EXPECT_TRUE(map.add(sweep(50, 2.0)));   // of the previous session
   EXPECT_TRUE(map.add(sweep(150, 2.0)));  // of the new session
   ASSERT_EQ(map.volumes().size(), 2U);
-  EXPECT_NEAR(map.volumes()[0].T_map_volume.x, 3.0, 1e-9);
+  EXPECT_NEAR(map.volumes()[0].T_map_volume.plan.x, 3.0, 1e-9);
   EXPECT_EQ(map.volumes()[0].anchor->local_map, 0);
-  EXPECT_NEAR(map.volumes()[1].T_map_volume.x, 9.0, 1e-9);
+  EXPECT_NEAR(map.volumes()[1].T_map_volume.plan.x, 9.0, 1e-9);
   EXPECT_EQ(map.volumes()[1].anchor->local_map, 1);
 }
 

@@ -87,7 +87,7 @@ TEST(VolumeMap, AppliesALoopClosureWithoutInsertingAgain) {
   map.set_graph(graph_of(3, {kStart, kSecond}));
   EXPECT_EQ(map.volumes()[1].volume.scans(), 1);
   EXPECT_EQ(map.volumes()[1].volume.octree(), octree);
-  const Pose2& T_map_volume = map.volumes()[1].T_map_volume;
+  const Pose2& T_map_volume = map.volumes()[1].T_map_volume.plan;
   EXPECT_NEAR(T_map_volume.x, kSecond.x, 1e-12);
   EXPECT_NEAR(T_map_volume.y, kSecond.y, 1e-12);
   EXPECT_NEAR(T_map_volume.theta, kSecond.theta, 1e-12);
@@ -130,9 +130,9 @@ TEST(VolumeMap, AnchorsScansFromBeforeTheFirstGraph) {
   map.set_graph(graph_of(1, {T_map_odom * T_odom_local}));
   ASSERT_TRUE(map.volumes()[0].anchor);
   const Pose2 expected = T_map_odom * kStart;
-  EXPECT_NEAR(map.volumes()[0].T_map_volume.x, expected.x, 1e-12);
-  EXPECT_NEAR(map.volumes()[0].T_map_volume.y, expected.y, 1e-12);
-  EXPECT_NEAR(map.volumes()[0].anchor->T_local_volume.x, T_odom_local.inverse().x, 1e-12);
+  EXPECT_NEAR(map.volumes()[0].T_map_volume.plan.x, expected.x, 1e-12);
+  EXPECT_NEAR(map.volumes()[0].T_map_volume.plan.y, expected.y, 1e-12);
+  EXPECT_NEAR(map.volumes()[0].anchor->T_local_volume.plan.x, T_odom_local.inverse().x, 1e-12);
 }
 
 /// A correction and poses of different graphs would misplace it.
@@ -144,7 +144,7 @@ TEST(VolumeMap, WaitsForACorrectionAndAGraphOfTheSameRevision) {
   EXPECT_FALSE(map.volumes()[0].anchor);
   map.set_graph(graph_of(2, {{1.0, 0.0, 0.0}}));
   ASSERT_TRUE(map.volumes()[0].anchor);
-  EXPECT_EQ(map.volumes()[0].T_map_volume, (Pose2{1.0, 0.0, 0.0}));
+  EXPECT_EQ(map.volumes()[0].T_map_volume.plan, (Pose2{1.0, 0.0, 0.0}));
 }
 
 TEST(VolumeMap, CombinesNearScansOfOneLocalMap) {
@@ -154,15 +154,15 @@ TEST(VolumeMap, CombinesNearScansOfOneLocalMap) {
   for (const double x : {0.0, 3.0, 9.9, 10.1}) map.add(scan_at({x, 0.0, 0.0}, {x, 0.0, 0.0}));
   ASSERT_EQ(map.volumes().size(), 2U);
   EXPECT_EQ(map.volumes()[0].volume.scans(), 3);
-  EXPECT_NEAR(map.volumes()[1].T_map_volume.x, 10.1, 1e-12);
+  EXPECT_NEAR(map.volumes()[1].T_map_volume.plan.x, 10.1, 1e-12);
   EXPECT_LT(farthest_from_rock_m(map), kResampledM);
 }
 
 TEST(VolumeMap, DoesNotMoveVolumesThatAreNotInTheGraph) {
   VolumeMap map = drifted_map();
   map.set_graph(graph_of(3, {kSecond}));
-  EXPECT_EQ(map.volumes()[0].T_map_volume, kSecond);
-  EXPECT_NEAR(map.volumes()[1].T_map_volume.x, kDrifted.x, 1e-12);
+  EXPECT_EQ(map.volumes()[0].T_map_volume.plan, kSecond);
+  EXPECT_NEAR(map.volumes()[1].T_map_volume.plan.x, kDrifted.x, 1e-12);
 }
 
 /// Rotated cells leave no holes in free space.

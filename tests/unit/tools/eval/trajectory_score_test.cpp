@@ -93,6 +93,24 @@ TEST(TrajectoryScore, AScaledPathHasProportionalErrors) {
   EXPECT_NEAR(score.relative[1].translation_m, 0.2, 2.1e-3);
 }
 
+/// An error that grows with the distance from the start as the allowed one does, less 0.05 m.
+TEST(TrajectoryScore, ComparesErrorsWithThoseAllowedAtTheirDistance) {
+  const Trajectory truth = straight(1000.0);
+  Trajectory found = truth;
+  for (TimedPose& at : found) {
+    at.z_m = 2.0 * 0.0003 * at.pose.x;
+    at.pose.y = 0.0002 * at.pose.x;
+  }
+  const TrajectoryScore score = score_trajectory(found, truth);
+  // The mean square of x/(x + c) over 0 to L, with c = 0.05/0.0002 = 250 m or 0.05/0.0003 = 167 m:
+  // 1 − (2c/L) ln((L + c)/c) + (c/L)(1 − c/(L + c)).
+  const auto expected = [](double c, double L) {
+    return std::sqrt(1.0 - 2.0 * c / L * std::log((L + c) / c) + c / L * (1.0 - c / (L + c)));
+  };
+  EXPECT_NEAR(score.plan_of_allowed, expected(0.05 / 0.0002, 1000.0), 1e-3);
+  EXPECT_NEAR(score.height_of_allowed, 2.0 * expected(0.05 / 0.0003, 1000.0), 1e-3);
+}
+
 TEST(TrajectoryScore, ASingleRotationAffectsTheSegmentsThatContainIt) {
   // 10° in the middle of 40 m: about a third of the 31 segments of 10 m contain it.
   const double turn = deg_to_rad(10.0);

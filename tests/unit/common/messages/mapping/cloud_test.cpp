@@ -20,7 +20,7 @@ constexpr float kNotFinite = std::numeric_limits<float>::quiet_NaN();
 
 /// A cloud with lines of 361 beams, every tenth without a return.
 Cloud cloud(int lines, std::int32_t id = 7) {
-  Cloud result{kUtime, id, {12.0, -3.0, 0.7}, false, {}};
+  Cloud result{kUtime, id, {12.0, -3.0, 0.7}, false, {}, -1.25};
   for (int i = 0; i < lines; ++i) {
     CloudLine line{
         kUtime - 1000 * (lines - i), {1.0F, 0.001F * static_cast<float>(i), 0.6F}, {}, {}};
@@ -91,6 +91,7 @@ TEST(CloudMessage, IsRejectedWithAnInvalidHeader) {
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[2] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.z_odom_m = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
             "implausible number of fragments");

@@ -253,6 +253,7 @@ TEST(Golden, Cloud) {
   message.utime = kUtime;
   message.id = 3;
   fill(message.T_odom_level, {12.5, -3.5, 0.75});
+  message.z_odom_m = -1.375;
   message.complete = 0;
   message.n_fragments = 6;
   message.fragment = 5;
@@ -262,7 +263,8 @@ TEST(Golden, Cloud) {
                            {1.5F, 0.25F, 0.625F},
                            {{3.5F, 1.25F, 0.5F}, {4.5F, 2.25F, 0.75F}},
                            {{0.0F, 0.6F, 0.8F}}};
-  expect_golden(message, CloudFragment{{kUtime, 3, {12.5, -3.5, 0.75}, false, {expected}}, 6, 5});
+  expect_golden(message,
+                CloudFragment{{kUtime, 3, {12.5, -3.5, 0.75}, false, {expected}, -1.375}, 6, 5});
 }
 
 TEST(Golden, CloudRequest) {
@@ -325,6 +327,7 @@ TEST(Golden, Volume) {
   message.graph_revision = 12;
   message.local_map = 7;
   fill(message.T_map_volume, {12.5, -3.5, 0.75});
+  message.z_map_m = -2.25;
   message.cell_m = 0.125;
   message.occupied = 35;
   message.free = 36;
@@ -335,7 +338,9 @@ TEST(Golden, Volume) {
   expect_golden(
       message,
       VolumeFragment{
-          {kUtime, 4, 2, 12, 7, {12.5, -3.5, 0.75}, 0.125, 35, 36, {0x01, 0x80, 0x7f}}, 9, 8});
+          {kUtime, 4, 2, 12, 7, {12.5, -3.5, 0.75}, 0.125, 35, 36, {0x01, 0x80, 0x7f}, -2.25},
+          9,
+          8});
 }
 
 TEST(Golden, PlanGoal) {

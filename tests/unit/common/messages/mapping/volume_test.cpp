@@ -26,7 +26,7 @@ void grow(int depth, std::vector<std::uint8_t>& octree) {
 }
 
 Volume volume(int depth = 5) {
-  Volume volume{kUtime, 4, 2, 12, 7, {12.0, -3.0, 0.7}, 0.1, 0, 0, {}};
+  Volume volume{kUtime, 4, 2, 12, 7, {12.0, -3.0, 0.7}, 0.1, 0, 0, {}, -2.5};
   grow(depth, volume.octree);
   const OctreeCounts counts = count_cells(volume.octree);
   volume.occupied = counts.occupied;
@@ -59,6 +59,7 @@ TEST(VolumeFragments, AreReassembledInAnyOrder) {
   EXPECT_EQ(received->graph_revision, sent.graph_revision);
   EXPECT_EQ(received->local_map, sent.local_map);
   EXPECT_EQ(received->T_map_volume, sent.T_map_volume);
+  EXPECT_EQ(received->z_map_m, sent.z_map_m);
   EXPECT_EQ(received->cell_m, sent.cell_m);
   EXPECT_EQ(received->occupied, sent.occupied);
   EXPECT_EQ(received->free, sent.free);
@@ -81,6 +82,7 @@ TEST(VolumeFragments, MayBePoseOnly) {
   EXPECT_TRUE(is_pose_only(fragment));
   EXPECT_EQ(fragment.part.T_map_volume, sent.T_map_volume);
   EXPECT_TRUE(fragment.part.octree.empty());
+  EXPECT_EQ(fragment.part.z_map_m, sent.z_map_m);
   EXPECT_LT(encode(to_message(fragment)).size(), 128U);
 }
 
@@ -92,6 +94,7 @@ TEST(VolumeMessage, IsRejectedWithAnInvalidHeader) {
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = 0; }), "revision without a cloud");
   EXPECT_EQ(rejection_after([](Message& m) { m.graph_revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_map_volume[2] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.z_map_m = kNaN; }), kPoseNotFinite);
   for (const double cell : {kNaN, 0.0, -0.1, 11.0}) {
     EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "implausible cell size");
   }

@@ -62,8 +62,8 @@ TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
 }
 
 TEST(MapMatching, InformationIsConsistentWithTheError) {
-  // The expectation is 3; the result is smaller, since the model allows for bent maps, which these
-  // are not.
+  // The expectation is 3; the result is smaller, since the model allows for bent maps and rough
+  // walls, which these are not: the error here is a tenth of floor_m.
   const test::WallWorld mine = test::sample_mine(5);
   double sum = 0.0;
   constexpr int kSeeds = 30;
@@ -79,7 +79,7 @@ TEST(MapMatching, InformationIsConsistentWithTheError) {
     const Eigen::Vector3d error = between(truth, found.front().T_older_newer).vector();
     sum += error.dot(found.front().information * error) / kSeeds;
   }
-  EXPECT_GT(sum, 0.05);
+  EXPECT_GT(sum, 0.02);
   EXPECT_LT(sum, 3.5);
 }
 
@@ -97,7 +97,7 @@ TEST(MapMatching, GivesNoInformationAlongAStraightTunnel) {
     const Eigen::Vector3d axis_newer(std::cos(theta), -std::sin(theta), 0.0);
     const Eigen::Vector3d across_newer(std::sin(theta), std::cos(theta), 0.0);
     EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than that of 1 m
-    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // that of 1 cm
+    EXPECT_GT(across_newer.dot(information * across_newer), 8e3);  // that of floor_m
     const Pose2 error = between(T_world_older * truth, T_world_older * T_older_newer);
     EXPECT_LT(std::abs(Eigen::Vector3d(error.x, error.y, 0.0).dot(across_newer)), 0.02);
     EXPECT_LT(std::abs(error.theta), 0.004);

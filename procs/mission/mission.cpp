@@ -194,7 +194,7 @@ void Mission::evaluate(const ExplorationReport& report) {
   }
   verdict_.reset();
   if (decision.kind == Kind::kDone) {
-    end(MissionOutcome::kHome, "the robot is at home: " + decision.reason);
+    end_at_home(decision.reason);
     return;
   }
   set_target(report);

@@ -83,7 +83,7 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
 /// Outcome of a mission in one to three sentences.
 std::string outcome_text(const MissionStatistics& statistics);
 
-/// "home", "stopped", "stranded", "in progress".
+/// "home", "home, uncertain", "stopped", "stranded", "in progress".
 const char* name_of(MissionOutcome outcome);
 /// "open", "explored", ...
 const char* name_of(FrontierState state);

@@ -98,6 +98,7 @@ class Mission {
   /// The latest messages that later decisions need.
   struct Inputs {
     std::optional<std::int64_t> terrain_utime;  ///< of the newest terrain
+    double terrain_distance_m = 0.0;            ///< distance travelled then
     std::optional<DrivingState> driving;
     std::optional<std::int64_t> driving_utime;  ///< PhaseClock when `driving` was received
   };
@@ -127,6 +128,7 @@ class Mission {
   void set_target(const ExplorationReport& report);
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
+  [[nodiscard]] std::optional<double> transit_length_m() const;
   void request_scan(LaserId laser, const std::string& reason);
   void handle_arrival();
   void handle_failed_drive(const std::string& reason);

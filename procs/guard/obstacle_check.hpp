@@ -73,7 +73,7 @@ struct ObstacleParams {
   double braking_m_s2 = 0.6;  ///< guaranteed by the vehicle
   double margin_m = 0.15;     ///< remaining distance; larger than the blind range
   double side_margin_m = 0.05;
-  double release_margin_m = 0.05;  ///< free beyond the stopping distance before a release
+  double release_margin_m = 0.03;  ///< free beyond the stopping distance before a release
 
   template <class V>
   void visit(V& v) {

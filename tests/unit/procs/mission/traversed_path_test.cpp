@@ -51,11 +51,12 @@ TEST(TraversedPath, MovesEarlyPosesWithTheMapAndNewOnesWithOdom) {
   TraversedPath traversed;
   for (int i = 0; i <= 120; ++i) traversed.add(i, {0.25 * i, 0.0, 0.0});  // to 30, 0
   traversed.correct({0.0, 1.0, 0.0});
-  const auto path = traversed.back(30.0);
+  const auto path = traversed.back(40.0);
   EXPECT_NEAR(path.back().x, 0.0, 0.26);
   EXPECT_NEAR(path.back().y, 1.0, 1e-9);
   for (const Pose2& T_odom : path) {
-    if (T_odom.x > 20.5) EXPECT_EQ(T_odom.y, 0.0) << T_odom.x;  // the newest 10 m
+    if (T_odom.x < 20.5) continue;
+    EXPECT_EQ(T_odom.y, 0.0) << T_odom.x;  // the newest 10 m
   }
 }
 

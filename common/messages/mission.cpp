@@ -21,24 +21,28 @@ static_assert(static_cast<int>(MissionOutcome::kInProgress) == phase_t::OUTCOME_
 static_assert(static_cast<int>(MissionOutcome::kHome) == phase_t::OUTCOME_HOME);
 static_assert(static_cast<int>(MissionOutcome::kStopped) == phase_t::OUTCOME_STOPPED);
 static_assert(static_cast<int>(MissionOutcome::kStranded) == phase_t::OUTCOME_STRANDED);
+static_assert(static_cast<int>(MissionOutcome::kHomeUncertain) == phase_t::OUTCOME_HOME_UNCERTAIN);
 static_assert(static_cast<int>(Kind::kPause) == mission_order_t::KIND_PAUSE);
 static_assert(static_cast<int>(Kind::kResume) == mission_order_t::KIND_RESUME);
 static_assert(static_cast<int>(Kind::kReturnHome) == mission_order_t::KIND_RETURN_HOME);
 static_assert(static_cast<int>(Kind::kStop) == mission_order_t::KIND_STOP);
 
 constexpr std::int32_t kNoFrontier = -1;
+constexpr double kUnknownDistance = -1.0;
 
 std::string_view rejection_reason(const phase_t& message) {
   const auto phase = Phase(message.phase);
   const auto outcome = MissionOutcome(message.outcome);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (phase < Phase::kWaiting || phase > Phase::kEnded) return "unknown phase";
-  if (outcome < MissionOutcome::kInProgress || outcome > MissionOutcome::kStranded) {
+  if (outcome < MissionOutcome::kInProgress || outcome > MissionOutcome::kHomeUncertain) {
     return "unknown outcome";
   }
   if (message.sequence < 0 || message.goal_id < 0 || message.scans < 0) return "negative count";
   if (message.frontier < kNoFrontier) return "negative frontier id";
   if (!is_distance(message.distance_travelled_m) || !is_distance(message.remaining_m))
+    return "invalid distance";
+  if (message.home_within_m != kUnknownDistance && !is_distance(message.home_within_m))
     return "invalid distance";
   return {};
 }
@@ -61,6 +65,7 @@ phase_t to_message(const MissionPhase& phase) {
   message.remaining_m = phase.remaining_m;
   message.outcome = static_cast<std::int8_t>(phase.outcome);
   message.complete = static_cast<std::int8_t>(phase.complete);
+  message.home_within_m = phase.home_within_m.value_or(kUnknownDistance);
   return message;
 }
 
@@ -83,6 +88,7 @@ Result<MissionPhase> from_message(const phase_t& message) {
   phase.remaining_m = message.remaining_m;
   phase.outcome = MissionOutcome(message.outcome);
   phase.complete = message.complete != 0;
+  if (message.home_within_m != kUnknownDistance) phase.home_within_m = message.home_within_m;
   return phase;
 }
 

@@ -31,15 +31,24 @@ struct MapCorrection {
   double z_map_odom_m = 0.0;  ///< height of odom in map
   double z_variance = 0.0;    ///< of the height of that local map above the first one [m²]
 
+  /// Covariance of the pose of the body at its newest scan match relative to local map 0, whose
+  /// origin is home: (x, y, θ) in the frame of the body [m², m rad, rad²].
+  Eigen::Matrix3d body_covariance = Eigen::Matrix3d::Zero();
+
   friend bool operator==(const MapCorrection&, const MapCorrection&) = default;
 };
 
-/// Largest standard deviation of the position of the correction's local map over all directions
-/// [m]; empty if unknown.
+/// Largest standard deviation of the position over all directions [m], of a covariance of (x, y,
+/// θ).
+inline double position_sd_m(const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
+  return std::sqrt(std::max(0.0, symmetric_eigen(position).values.maxCoeff()));
+}
+
+/// The same for the correction's local map; empty if unknown.
 inline std::optional<double> position_sd_m(const MapCorrection& correction) {
   if (!correction.covariance) return std::nullopt;
-  const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
-  return std::sqrt(std::max(0.0, symmetric_eigen(covariance).values.maxCoeff()));
+  return position_sd_m(*correction.covariance);
 }
 
 /// Whether the pose of odom in map is accurate enough to transfer observations from another odom

@@ -46,9 +46,10 @@ constexpr const char* name_of(Phase phase) {
 /// How a mission ended.
 enum class MissionOutcome : std::int8_t {
   kInProgress = 0,
-  kHome = 1,      ///< the robot is back at the start
-  kStopped = 2,   ///< by operator order
-  kStranded = 3,  ///< the robot has stopped elsewhere without a path to the start
+  kHome = 1,           ///< the robot is back at the start
+  kStopped = 2,        ///< by operator order
+  kStranded = 3,       ///< the robot has stopped elsewhere without a path to the start
+  kHomeUncertain = 4,  ///< at the start by its own estimate, which is too uncertain to be sure
 };
 
 /// State of a mission.
@@ -67,6 +68,9 @@ struct MissionPhase {
   double remaining_m = 0.0;  ///< path length allowed by battery and time
   MissionOutcome outcome = MissionOutcome::kInProgress;
   bool complete = false;  ///< every frontier detected so far is closed
+  /// For kHome and kHomeUncertain: the distance from the start is less with a probability of 95 %
+  /// [m]. Empty if mapping gave no pose.
+  std::optional<double> home_within_m = {};
 
   friend bool operator==(const MissionPhase&, const MissionPhase&) = default;
 };

@@ -10,11 +10,11 @@
 namespace adit {
 
 struct SpeedParams {
-  double speed_m_s = 0.4;          ///< desired speed
+  double speed_m_s = 0.5;          ///< desired speed
   double creep_m_s = 0.05;         ///< minimum speed of a moving robot
-  double acceleration_m_s2 = 0.2;  ///< also for planned braking
+  double acceleration_m_s2 = 0.3;  ///< also for planned braking
   double lateral_acceleration_m_s2 = 0.1;
-  double clearance_full_m = 0.3;  ///< clearance from which on the speed is not reduced
+  double clearance_full_m = 0.15;  ///< clearance from which on the speed is not reduced
 
   template <class V>
   void visit(V& v) {

@@ -108,6 +108,8 @@ StopOrder Guard::evaluate(std::int64_t now) {
   if (!reasons_.empty()) last_reasons_ = joined(reasons_);
   const bool stopped =
       latch_.evaluate(!reasons_.empty(), command_received_.at_us(), time_.now_us());
+  stopped_by_obstacle_ = stopped && (stopped_by_obstacle_ ||
+                                     active_.at(static_cast<std::size_t>(StopKind::kObstacle)));
   if (!stopped) return {now, false, ""};
   return {now, true, reasons_.empty() ? "release pending, was: " + last_reasons_ : last_reasons_};
 }
@@ -155,9 +157,12 @@ ArcMotion Guard::measured_motion() const {
 
 Guard::Text Guard::obstacle() const {
   const std::int64_t now_us = time_.now_us();
-  if (auto text = surroundings_.obstacle_on(commanded_motion(), "the commanded arc", now_us))
+  if (auto text = surroundings_.obstacle_on(commanded_motion(), "the commanded arc",
+                                            stopped_by_obstacle_, now_us)) {
     return text;
-  return surroundings_.obstacle_on(measured_motion(), "the measured arc", now_us);
+  }
+  return surroundings_.obstacle_on(measured_motion(), "the measured arc", stopped_by_obstacle_,
+                                   now_us);
 }
 
 Guard::Text Guard::lasers() const {

@@ -97,6 +97,7 @@ class Guard {
   SinkageReading sinkage_;
   RetreatPermission tilt_retreat_, sinkage_retreat_, gas_retreat_;
   StopLatch latch_;
+  bool stopped_by_obstacle_ = false;  ///< since the last release
   std::vector<StopReason> reasons_;
   std::string last_reasons_ = "no data received yet";  ///< before the release
   std::array<bool, kStopKindNames.size()> active_{};

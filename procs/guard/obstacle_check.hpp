@@ -73,6 +73,7 @@ struct ObstacleParams {
   double braking_m_s2 = 0.6;  ///< guaranteed by the vehicle
   double margin_m = 0.15;     ///< remaining distance; larger than the blind range
   double side_margin_m = 0.05;
+  double release_margin_m = 0.03;  ///< free beyond the stopping distance before a release
 
   template <class V>
   void visit(V& v) {
@@ -80,6 +81,7 @@ struct ObstacleParams {
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("margin_m", margin_m, at_least(0.0));
     v("side_margin_m", side_margin_m, at_least(0.0));
+    v("release_margin_m", release_margin_m, within(0.0, 1.0));
   }
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/guard/stop_release.hpp"
 
+#include <algorithm>
+
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -9,9 +11,16 @@ namespace adit {
 bool StopLatch::evaluate(bool has_reason, std::optional<std::int64_t> command_us,
                          std::int64_t now_us) {
   if (has_reason || !reason_us_) reason_us_ = now_us;
+  if (has_reason && !stopped_) {
+    const bool is_soon = released_us_ && seconds(now_us - *released_us_) < kSoonS;
+    hold_factor_ = is_soon ? std::min(2.0 * hold_factor_, kHoldFactorMax) : 1.0;
+  }
   if (has_reason) stopped_ = true;
-  const bool held = seconds(now_us - *reason_us_) >= hold_s_;
-  if (held && command_us && *command_us > *reason_us_) stopped_ = false;
+  const bool held = seconds(now_us - *reason_us_) >= hold_s_ * hold_factor_;
+  if (stopped_ && held && command_us && *command_us > *reason_us_) {
+    stopped_ = false;
+    released_us_ = now_us;
+  }
   return stopped_;
 }
 

@@ -8,9 +8,13 @@
 namespace adit {
 
 /// Latches the stop: it is set with a reason, and released when there has been no reason for
-/// `hold_s` and a drive command is newer than the last reason. Initially set.
+/// `hold_s` and a drive command is newer than the last reason. Initially set. A stop soon after a
+/// release shows that the reason had not gone: each one doubles the time, up to eight times.
 class StopLatch {
  public:
+  static constexpr double kSoonS = 1.0;
+  static constexpr double kHoldFactorMax = 8.0;
+
   explicit StopLatch(double hold_s) : hold_s_(hold_s) {}
 
   /// `command_us` is the time of the newest command. Times are in MonotonicTime [µs] and do not
@@ -19,8 +23,10 @@ class StopLatch {
 
  private:
   double hold_s_;
+  double hold_factor_ = 1.0;
   bool stopped_ = true;
-  std::optional<std::int64_t> reason_us_;  ///< time of the last reason
+  std::optional<std::int64_t> released_us_;  ///< time of the last release
+  std::optional<std::int64_t> reason_us_;    ///< time of the last reason
 };
 
 /// Permits the vehicle to retreat from a hazard that it drove into (bad air, soft ground, a slope):

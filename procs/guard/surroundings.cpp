@@ -11,10 +11,11 @@
 namespace adit {
 namespace {
 
-std::string obstacle_text(const char* name, double distance_m, double stopping_m,
-                          const ArcMotion& motion, const char* arc) {
-  return fmt::format("{} {:.2f} m {} on {}, stopping distance {:.2f} m", name, distance_m,
-                     direction_of(motion) > 0 ? "ahead" : "behind", arc, stopping_m);
+std::string obstacle_text(const char* name, double distance_m, double within_m,
+                          const ArcMotion& motion, const char* arc, bool for_release) {
+  return fmt::format("{} {:.2f} m {} on {}, {} distance {:.2f} m", name, distance_m,
+                     direction_of(motion) > 0 ? "ahead" : "behind", arc,
+                     for_release ? "release" : "stopping", within_m);
 }
 
 }  // namespace
@@ -38,21 +39,24 @@ void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at
 }
 
 std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, const char* arc,
-                                                     std::int64_t now_us) const {
+                                                     bool for_release, std::int64_t now_us) const {
   if (direction_of(motion) == 0) return std::nullopt;
+  const auto within_m = [&](double age_s) {
+    return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) +
+           (for_release ? obstacle_.release_margin_m : 0.0);
+  };
   const ArcSweep sweep(vehicle_, motion, obstacle_.side_margin_m);
   for (const LaserMonitor* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(now_us);
     if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since
-    const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, *age_s);
-    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, stopping_m);
+    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, within_m(*age_s));
     if (!std::isinf(distance_m))
-      return obstacle_text("obstacle", distance_m, stopping_m, motion, arc);
+      return obstacle_text("obstacle", distance_m, within_m(*age_s), motion, arc, for_release);
   }
-  const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, 0.0);
-  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, stopping_m);
+  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, within_m(0.0));
   if (!std::isinf(distance_m))
-    return obstacle_text("remembered obstacle", distance_m, stopping_m, motion, arc);
+    return obstacle_text("remembered obstacle", distance_m, within_m(0.0), motion, arc,
+                         for_release);
   return std::nullopt;
 }
 

@@ -30,9 +30,10 @@ class Surroundings {
   void move_to(const Pose2& T_odom_body) { flank_memory_.move_to(T_odom_body); }
 
   /// The obstacle within the stopping distance, as text; nothing without one or at zero speed.
-  /// `arc` names the motion in that text.
+  /// `arc` names the motion in that text. `for_release`: within the stopping distance and the
+  /// margin that a release needs.
   [[nodiscard]] std::optional<std::string> obstacle_on(const ArcMotion& motion, const char* arc,
-                                                       std::int64_t now_us) const;
+                                                       bool for_release, std::int64_t now_us) const;
 
   /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed.
   [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,

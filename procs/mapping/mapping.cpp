@@ -71,6 +71,7 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   std::optional<MapUpdate> update;
   if (stored.unfinished) update = add_local_map(std::move(*stored.unfinished));
   if (maps_.empty()) return update;
+  if (!update) update_covariance_from_first();
   builder_ =
       LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
   odom_ = Odom::kRestored;
@@ -123,7 +124,11 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   if (!update.associations.empty()) update_heights();
   ++revision_;
   covariance_ = covariance_in_older_sessions();
-  if (before && is_redundant(update)) discard_newest(update, std::move(*before));
+  if (before && is_redundant(update)) {
+    discard_newest(update, std::move(*before));
+  } else {
+    update_covariance_from_first();
+  }
   return update;
 }
 
@@ -193,6 +198,23 @@ std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
     if (!best || spread < best->topLeftCorner<2, 2>().trace()) best = covariances[i];
   }
   return best;
+}
+
+void Mapping::update_covariance_from_first() {
+  if (maps_.size() < 2) return;
+  covariance_from_first_ = association_.trial().covariance(0, static_cast<int>(maps_.size()) - 1);
+}
+
+/// From the first local map to the newest, from there to the current one, and in that to the body.
+Eigen::Matrix3d Mapping::body_covariance() const {
+  const LocalMap& current = builder_.current();
+  UncertainPose T_first_body{{}, covariance_from_first_};
+  if (current.session != maps_.back().session || current.scans.empty())
+    return T_first_body.covariance;
+  T_first_body = T_first_body *
+                 UncertainPose{current.T_previous_local, current.information.inverse()} *
+                 UncertainPose{current.scans.back().T_local_body, builder_.covariance_local_body()};
+  return T_first_body.covariance;
 }
 
 void Mapping::append_map(LocalMap map) {
@@ -367,6 +389,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.z_map_odom_m = heights_.height_m(newest.id) - newest.z_odom_m;
   correction.z_variance = heights_.variance(0, newest.id);
   correction.covariance = covariance_;
+  correction.body_covariance = body_covariance();
   if (localization_) {
     correction.utime = localization_->utime;
     correction.local_map = localization_->older_map;

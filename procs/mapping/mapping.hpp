@@ -117,6 +117,8 @@ class Mapping : private Evidence {
   void link_session(LocalMap& map) const;
   void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
+  void update_covariance_from_first();
+  [[nodiscard]] Eigen::Matrix3d body_covariance() const;
   [[nodiscard]] bool session_is_connected() const;
   [[nodiscard]] bool is_neighbour(int older, int newer) const;
   [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial,
@@ -144,6 +146,8 @@ class Mapping : private Evidence {
   std::optional<std::int64_t> odom_epoch_utime_;  ///< epoch of the odom frame of the last scan
   bool odom_continues_ = false;  ///< the restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
+  /// Of the newest local map relative to local map 0, in the frame of the newest.
+  Eigen::Matrix3d covariance_from_first_ = Eigen::Matrix3d::Zero();
   /// The pose of the body by a discarded local map, later than all stored ones.
   struct Localization {
     std::int64_t utime = 0;

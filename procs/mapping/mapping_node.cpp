@@ -24,6 +24,7 @@ constexpr std::size_t kScansWaiting = 500;  // while a loop closure is searched,
 // fragments.
 constexpr std::int64_t kResendPeriodUs = 50'000;
 constexpr std::size_t kResendFragments = 4;
+constexpr std::int64_t kCorrectionPeriodUs = 1'000'000;
 constexpr int kReplaced = -2;  // not an id
 
 }  // namespace
@@ -47,6 +48,7 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
                              graph_pending_ = true;
                            });
   bus.create_timer(kResendPeriodUs, [this](std::int64_t) { resend(); });
+  bus.create_timer(kCorrectionPeriodUs, [this](std::int64_t) { publish_correction(); });
 }
 
 void MappingNode::restore(const std::string& journal) {

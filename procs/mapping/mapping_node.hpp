@@ -34,7 +34,7 @@ struct MappingNodeParams : MappingParams {
 ///      MAP_REQUEST (map_request_t).
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
 ///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
-///      (map_correction_t).
+///      (map_correction_t), which is repeated each second with the present uncertainty.
 ///      On request all local maps again, some fragments at a time, with the graph before and after.
 /// If a journal is configured and exists, its map is continued: after a restart only the last 0.3 m
 /// of the path (`journal_interval_m`) are lost, and the map is published immediately.

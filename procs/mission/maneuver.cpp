@@ -9,13 +9,16 @@
 namespace adit {
 namespace {
 
-constexpr double kRouteLengthM = 10.0;  // of a path along the route
-constexpr double kBackOffMinM = 1.0;    // of traversed path behind the robot
-constexpr double kLeadsBackMinM = 0.1;  // less is no path back
-constexpr double kSharedMinM = 2.5;     // of the route with the traversed path
-constexpr double kRejoinM = 6.0;        // at first
-constexpr double kRejoinMaxM = 30.0;    // after several rejoins
-constexpr double kRejoinViewM = 10.0;   // poses beyond the rejoin length that planning may reach
+constexpr double kRouteLengthM = 10.0;   // of a path along the route
+constexpr double kBackOffMinM = 1.0;     // of traversed path behind the robot
+constexpr double kLeadsBackMinM = 0.1;   // less is no path back
+constexpr double kSharedMinM = 2.5;      // of the route with the traversed path
+constexpr double kRejoinM = 6.0;         // at first
+constexpr double kRejoinMaxM = 30.0;     // after several rejoins
+constexpr double kUnscannedMaxM = 30.0;  // driven along the traversed path between two scans
+constexpr double kTransitMinM = 4.0;     // less is not worth a path of its own
+constexpr double kTransitEndM = 1.5;     // before the route leaves the traversed path
+constexpr double kRejoinViewM = 10.0;    // poses beyond the rejoin length that planning may reach
 
 using GoalKind = PlanGoal::Kind;
 
@@ -143,6 +146,27 @@ std::optional<double> Retracing::rejoin_length_m(const TraversedPath& path,
   const double shared_m = path.shared_length_m(route_odom);
   if (shared_m < kSharedMinM) return std::nullopt;
   return std::min(shared_m, kRejoinM);
+}
+
+/// The ground has carried the robot, and the guard sees what has changed since.
+std::optional<double> Retracing::transit_length_m(const TraversedPath& path,
+                                                  const std::vector<Eigen::Vector2d>& route_odom,
+                                                  double unscanned_m,
+                                                  bool ends_at_route_end) const {
+  if (failed_) return std::nullopt;
+  const double shared_m = path.shared_length_m(route_odom);
+  double route_m = 0.0;
+  for (std::size_t i = 1; i < route_odom.size(); ++i)
+    route_m += (route_odom[i] - route_odom[i - 1]).norm();
+  const bool to_end = ends_at_route_end && shared_m >= route_m;
+  const double length_m =
+      std::min(to_end ? shared_m : shared_m - kTransitEndM, kUnscannedMaxM - unscanned_m);
+  if (length_m < kTransitMinM) return std::nullopt;
+  return length_m;
+}
+
+Rejoin Retracing::transit(const TraversedPath& path, double length_m) {
+  return {PlanGoal::Kind::kRetrace, length_m, path.back(length_m), std::nullopt};
 }
 
 BackOff Retracing::back_off(const TraversedPath& path, double distance_m,

@@ -194,7 +194,7 @@ void Mission::evaluate(const ExplorationReport& report) {
   }
   verdict_.reset();
   if (decision.kind == Kind::kDone) {
-    end(MissionOutcome::kHome, "the robot is at home: " + decision.reason);
+    end_at_home(decision.reason);
     return;
   }
   set_target(report);
@@ -229,9 +229,26 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
   target_.route_odom = std::move(route_odom);
   scan_tries_ = 0;
   const auto& T_odom_body = localization_.T_odom_body();
-  request_scan(
-      T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser,
-      reason);
+  const LaserId laser =
+      T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser;
+  if (const auto length_m = transit_length_m()) {
+    phase_.laser = laser;
+    begin(Retracing::transit(localization_.traversed_path(), *length_m),
+          reason + ", back along the traversed path");
+  } else {
+    request_scan(laser, reason);
+  }
+}
+
+/// Where the route follows the traversed path the robot needs no scan, unless one is due or a
+/// rejection must be investigated.
+std::optional<double> Mission::transit_length_m() const {
+  const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
+  if (target_.is_straight_ahead || recovery_.rejections() > 0 || !has_terrain) return std::nullopt;
+  const TraversedPath& path = localization_.traversed_path();
+  return retracing_.transit_length_m(path, target_.route_odom,
+                                     path.distance_travelled_m() - inputs_.terrain_distance_m,
+                                     home_arrival_.is_end_of_route());
 }
 
 /// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
@@ -263,6 +280,7 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   if (phase_.phase != Phase::kScan || id != phase_.goal_id) return;
   ++phase_.scans;
   inputs_.terrain_utime = utime;
+  inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
 }
 

@@ -37,7 +37,8 @@ struct MissionParams {
   double exploration_wait_s = 30.0;       ///< for a decision of exploration
   int failed_tries_max = 10;              ///< in a row without a path before it is stranded
   double home_tolerance_m = 0.5;          ///< from the start pose; accepted as home there
-  int home_retries = 2;                   ///< after so many tries to get nearer
+  int home_retries = 2;                   ///< after so many tries to get nearer, or to be surer
+  double home_uncertainty_max_m = 0.5;    ///< with 95 %; above it the end is not surely home
 
   template <class V>
   void visit(V& v) {
@@ -50,6 +51,7 @@ struct MissionParams {
     v("failed_tries_max", failed_tries_max, at_least(1));
     v("home_tolerance_m", home_tolerance_m, within(0.0, 10.0));
     v("home_retries", home_retries, at_least(0));
+    v("home_uncertainty_max_m", home_uncertainty_max_m, above(0.0));
   }
 };
 
@@ -96,6 +98,7 @@ class Mission {
   /// The latest messages that later decisions need.
   struct Inputs {
     std::optional<std::int64_t> terrain_utime;  ///< of the newest terrain
+    double terrain_distance_m = 0.0;            ///< distance travelled then
     std::optional<DrivingState> driving;
     std::optional<std::int64_t> driving_utime;  ///< PhaseClock when `driving` was received
   };
@@ -125,6 +128,7 @@ class Mission {
   void set_target(const ExplorationReport& report);
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
+  [[nodiscard]] std::optional<double> transit_length_m() const;
   void request_scan(LaserId laser, const std::string& reason);
   void handle_arrival();
   void handle_failed_drive(const std::string& reason);
@@ -138,6 +142,8 @@ class Mission {
   void abandon_target();
   void retry_near_home(const std::string& reason);
   void end_near_home(const std::string& reason);
+  void end_at_home(const std::string& reason);
+  [[nodiscard]] bool can_match_at_home(double uncertainty_m) const;
   void note_progress();
   void note_failed_try(const std::string& reason);
   [[nodiscard]] std::optional<double> rejoin_length_m() const;
@@ -159,6 +165,8 @@ class Mission {
   ProgressChecker progress_;
   HomewardProgress homeward_progress_;
   HomeArrival home_arrival_;
+  /// Before each drive near home for new matches with the local maps there, see end_at_home().
+  std::vector<double> home_uncertainties_m_;
   std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
   double slope_ = 0.0;  ///< of the ground under the body, by the last match [m/m]
   std::set<std::optional<std::int32_t>> narrow_frontiers_;  ///< with Evidence::kNarrow

@@ -10,6 +10,7 @@ namespace adit {
 namespace {
 
 constexpr double kPoseTimeoutS = 1.0;
+constexpr double kSds95 = 2.448;  // of a Gaussian in the plane: sqrt(-2 ln 0.05)
 
 }  // namespace
 
@@ -64,8 +65,21 @@ void MissionLocalization::restore_path() {
 void MissionLocalization::add_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return;  // of the odom frame before
   has_correction_ = true;
+  if (T_map_odom_ && *T_map_odom_ != correction.T_map_odom)
+    traversed_path_.correct(between(correction.T_map_odom, *T_map_odom_));
   T_map_odom_ = correction.T_map_odom;
+  body_sd_m_ = position_sd_m(correction.body_covariance);
   if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom);
+}
+
+std::optional<double> MissionLocalization::home_uncertainty_m() const {
+  return has_correction_ ? std::optional(kSds95 * body_sd_m_) : std::nullopt;
+}
+
+/// Home is the origin of map.
+std::optional<double> MissionLocalization::distance_from_home_m() const {
+  if (!has_correction_ || !T_odom_body()) return std::nullopt;
+  return (*T_map_odom_ * *T_odom_body()).translation().norm();
 }
 
 void MissionLocalization::anchor_to_estimate() {

@@ -51,6 +51,11 @@ class MissionLocalization {
   [[nodiscard]] bool has_correction() const { return has_correction_; }
   /// Whether this is not the first odom frame of the mission.
   [[nodiscard]] bool odom_was_reset() const { return odom_was_reset_; }
+  /// How far the body may be from where the map has it relative to home, with a probability of
+  /// 95 % [m]; empty before the first map correction of the present odom frame.
+  [[nodiscard]] std::optional<double> home_uncertainty_m() const;
+  /// Distance of the body from home by the map [m]; empty as above.
+  [[nodiscard]] std::optional<double> distance_from_home_m() const;
   [[nodiscard]] bool is_waiting_for_correction() const {
     return odom_was_reset_ && !has_correction_;
   }
@@ -61,6 +66,7 @@ class MissionLocalization {
   TraversedPath traversed_path_;
   std::optional<std::int64_t> odom_epoch_utime_;
   std::optional<Pose2> T_map_odom_;  ///< of the present odom frame, also from before a restart
+  double body_sd_m_ = 0.0;           ///< of the body relative to home, see MapCorrection
   bool has_correction_ = false;      ///< received since the present odom frame began
   bool odom_was_reset_ = false;
   std::optional<std::int64_t> restored_utime_;  ///< of the last phase before a restart

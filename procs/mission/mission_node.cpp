@@ -114,6 +114,7 @@ Health MissionNode::health() const {
   const MissionPhase& phase = mission_.phase();
   if (!journal_failure_.empty()) return {Level::kFault, journal_failure_};
   if (phase.outcome == MissionOutcome::kStranded) return {Level::kFault, phase.reason};
+  if (phase.outcome == MissionOutcome::kHomeUncertain) return {Level::kDegraded, phase.reason};
   if (phase.phase == Phase::kWaiting) {
     return {Level::kDegraded, "waiting for pose and driving: " + phase.reason};
   }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Recovery of Mission when no path is found or a drive fails, and the last metre to home.
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,7 @@ constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the
 // On steeper ground terrain of earlier scans may stand up as an obstacle: its place and its height
 // have errors that the slope couples [m/m].
 constexpr double kSlopeReliable = 0.15;
+constexpr double kMatchAtHomeM = 5.0;  // and back: the length of two local maps
 constexpr double kStartRadiusM = 0.3;  // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
@@ -130,9 +132,40 @@ void Mission::retry_near_home(const std::string& reason) {
 }
 
 void Mission::end_near_home(const std::string& reason) {
-  end(MissionOutcome::kHome,
-      fmt::format("the robot is at home, {:.2f} m from the start, and gets no nearer: {}",
-                  home_arrival_.distance_m(*localization_.T_odom_body()), reason));
+  end_at_home(fmt::format("{:.2f} m from the start, it gets no nearer: {}",
+                          home_arrival_.distance_m(*localization_.T_odom_body()), reason));
+}
+
+/// Where the pose relative to home is too uncertain, the robot drives along the traversed path and
+/// comes home again: mapping then matches new local maps with those of the start.
+void Mission::end_at_home(const std::string& reason) {
+  const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
+  if (!uncertainty_m) return end(MissionOutcome::kHome, "the robot is at home: " + reason);
+  const bool is_sure = *uncertainty_m <= params_.home_uncertainty_max_m;
+  if (!is_sure && can_match_at_home(*uncertainty_m)) {
+    home_uncertainties_m_.push_back(*uncertainty_m);
+    begin(BackOff{PlanGoal::Kind::kRetrace, kMatchAtHomeM,
+                  localization_.traversed_path().recent(kMatchAtHomeM), std::nullopt},
+          fmt::format("at home by the estimate, but the pose has an uncertainty of {:.2f} m (95 "
+                      "%): matching again: {}",
+                      *uncertainty_m, reason));
+    return;
+  }
+  const double within_m = localization_.distance_from_home_m().value_or(0.0) + *uncertainty_m;
+  phase_.home_within_m = within_m;
+  end(is_sure ? MissionOutcome::kHome : MissionOutcome::kHomeUncertain,
+      fmt::format("{} within {:.2f} m (95 %): {}",
+                  is_sure ? "the robot is at home," : "at home by its own estimate, not sure:",
+                  within_m, reason));
+}
+
+/// Not if it did not help before, and not where a limit of air, ground or map made the robot turn
+/// around.
+bool Mission::can_match_at_home(double uncertainty_m) const {
+  const bool helped = home_uncertainties_m_.empty() || uncertainty_m < home_uncertainties_m_.back();
+  return helped && std::ssize(home_uncertainties_m_) < params_.home_retries && !limits_.reason() &&
+         phase_.remaining_m > 2.0 * kMatchAtHomeM &&
+         localization_.traversed_path().distance_travelled_m() > kMatchAtHomeM;
 }
 
 void Mission::note_progress() {
@@ -146,8 +179,8 @@ void Mission::note_failed_try(const std::string& reason) {
   ++failed_tries_;
   if (failed_tries_ > params_.failed_tries_max) {
     const bool never_left = localization_.traversed_path().distance_travelled_m() < kStartRadiusM;
-    end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
-        (never_left ? "no path into the mine was found: " : "no path onward was found: ") + reason);
+    never_left ? end_at_home("no path into the mine was found: " + reason)
+               : end(MissionOutcome::kStranded, "no path onward was found: " + reason);
   } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m()) {
     rejoin("exploration found no route (" + reason + ")");
   } else {

@@ -19,13 +19,27 @@ constexpr double kSpacingRad = 0.1;
 constexpr double kSameAlongM = 0.15;
 constexpr double kSameBesideM = 0.1;
 constexpr double kSameRad = 0.1;
-constexpr double kLateralMaxM = 1.0;  // of a route that follows the path
-constexpr double kDetourMaxM = 2.0;   // of the path against the route, between two route points
+constexpr double kNewestMapsM = 10.0;   // path length of the newest two local maps
+constexpr std::size_t kRecentMax = 40;  // poses, 8 m
+constexpr double kLateralMaxM = 1.0;    // of a route that follows the path
+constexpr double kDetourMaxM = 2.0;     // of the path against the route, between two route points
 
 bool is_same(const Pose2& T_odom_a, const Pose2& T_odom_b) {
   const Pose2 T_a_b = between(T_odom_a, T_odom_b);
   return std::abs(T_a_b.x) < kSameAlongM && std::abs(T_a_b.y) < kSameBesideM &&
          std::abs(T_a_b.theta) < kSameRad;
+}
+
+/// The poses from the newest on, over this path length at most.
+template <class Poses>
+std::vector<Pose2> backwards(const Pose2& T_odom_body, const Poses& poses, double length_m) {
+  std::vector<Pose2> path{T_odom_body};
+  double path_length_m = 0.0;
+  for (auto pose = poses.rbegin(); pose != poses.rend() && path_length_m < length_m; ++pose) {
+    path_length_m += (pose->translation() - path.back().translation()).norm();
+    path.push_back(*pose);
+  }
+  return path;
 }
 
 struct Record {
@@ -55,11 +69,14 @@ bool TraversedPath::add(std::int64_t utime, const Pose2& T_odom_body) {
   });
   poses_.erase(same, poses_.end());
   poses_.push_back(T_odom_body);
+  recent_.push_back(T_odom_body);
+  if (recent_.size() > kRecentMax) recent_.pop_front();
   return true;
 }
 
 void TraversedPath::reset(const std::optional<Pose2>& T_map_odom) {
   T_odom_body_.reset();
+  recent_.clear();
   if (T_map_odom) {
     for (const Pose2& pose : poses_) previous_map_poses_.push_back(*T_map_odom * pose);
   }
@@ -74,15 +91,23 @@ void TraversedPath::anchor(const Pose2& T_map_odom) {
   previous_map_poses_.clear();
 }
 
+void TraversedPath::correct(const Pose2& T_after_before) {
+  double path_length_m = 0.0;
+  for (std::size_t i = poses_.size(); i-- > 0;) {
+    if (i + 1 < poses_.size())
+      path_length_m += (poses_[i].translation() - poses_[i + 1].translation()).norm();
+    if (path_length_m > kNewestMapsM) poses_[i] = T_after_before * poses_[i];
+  }
+}
+
 std::vector<Pose2> TraversedPath::back(double length_m) const {
   if (!T_odom_body_) return {};
-  std::vector<Pose2> path{*T_odom_body_};
-  double path_length_m = 0.0;
-  for (auto pose = poses_.rbegin(); pose != poses_.rend() && path_length_m < length_m; ++pose) {
-    path_length_m += (pose->translation() - path.back().translation()).norm();
-    path.push_back(*pose);
-  }
-  return path;
+  return backwards(*T_odom_body_, poses_, length_m);
+}
+
+std::vector<Pose2> TraversedPath::recent(double length_m) const {
+  if (!T_odom_body_) return {};
+  return backwards(*T_odom_body_, recent_, length_m);
 }
 
 double TraversedPath::back_length_m(double length_m) const {
@@ -145,6 +170,9 @@ TraversedPath traversed_path_from(const std::vector<StoredPathPose>& poses) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i > 0 && poses[i].odom_epoch_utime != poses[i - 1].odom_epoch_utime) {
       path.reset(poses[i - 1].T_map_odom);
+    } else if (i > 0 && poses[i].T_map_odom && poses[i - 1].T_map_odom &&
+               *poses[i].T_map_odom != *poses[i - 1].T_map_odom) {
+      path.correct(between(*poses[i].T_map_odom, *poses[i - 1].T_map_odom));
     }
     if (poses[i].anchored && poses[i].T_map_odom) path.anchor(*poses[i].T_map_odom);
     path.add(0, poses[i].T_odom_body);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,9 @@ class TraversedPath {
   void reset(const std::optional<Pose2>& T_map_odom);
   /// Sets where the present odom frame lies in map, and prepends the poses of earlier odom frames.
   void anchor(const Pose2& T_map_odom);
+  /// Odom moved in map by a loop closure: `T_after_before` is the old pose of odom in the new one.
+  /// Poses of the newest local maps keep their place in odom, earlier ones that in map.
+  void correct(const Pose2& T_after_before);
   /// The distance travelled before a restart [m].
   void set_distance_travelled(double distance_travelled_m) {
     distance_travelled_m_ = distance_travelled_m;
@@ -44,6 +48,9 @@ class TraversedPath {
   [[nodiscard]] double back_length_m(double length_m) const;
   /// T_odom_body from the present pose backwards, within a distance of the body.
   [[nodiscard]] std::vector<Pose2> poses_back_within(double distance_m) const;
+  /// As back(), but with loops, so also where the body came back to its start; the last 8 m at
+  /// most.
+  [[nodiscard]] std::vector<Pose2> recent(double length_m) const;
   /// Length of the first part of a route that follows the path backwards, 1 m beside it at most
   /// [m].
   [[nodiscard]] double shared_length_m(const std::vector<Eigen::Vector2d>& route_odom) const;
@@ -53,6 +60,7 @@ class TraversedPath {
   std::optional<Pose2> T_odom_body_;
   double distance_travelled_m_ = 0.0;
   std::vector<Pose2> poses_;               ///< T_odom_body, the newest last
+  std::deque<Pose2> recent_;               ///< the same with loops, the newest last
   std::vector<Pose2> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
 };
 

@@ -66,6 +66,11 @@ class MissionInAMine : public testing::Test {
     EXPECT_LE(score.rmse_m, 0.2);
     EXPECT_GT(score.farthest_m, 5.0);
     EXPECT_GT(score.scans, 0);
+    ASSERT_FALSE(log.phases.empty());
+    const auto within_m = log.phases.back().home_within_m;
+    ASSERT_TRUE(within_m) << score.reason;
+    EXPECT_LE(score.distance_from_start_m, *within_m);  // with 95 %; seeds are fixed
+    EXPECT_LE(*within_m, 0.5 + 0.5);                    // home_tolerance_m and the uncertainty
   }
 
   test::ScratchFolder scratch_;

@@ -135,6 +135,8 @@ const char* name_of(MissionOutcome outcome) {
       return "stopped";
     case MissionOutcome::kStranded:
       return "stranded";
+    case MissionOutcome::kHomeUncertain:
+      return "home, uncertain";
   }
   return "";
 }
@@ -183,6 +185,12 @@ std::string frontiers_text(const MissionStatistics& statistics) {
                      counts_text(*statistics.frontiers));
 }
 
+/// ", within 0.21 m (95 %)"; empty if unknown.
+std::string within_text(const char* before, const MissionPhase& phase) {
+  if (!phase.home_within_m) return "";
+  return fmt::format("{}{:.2f} m (95 %)", before, *phase.home_within_m);
+}
+
 std::string end_text(const MissionStatistics& statistics) {
   const std::string distance =
       fmt::format("{} from the start", metres(statistics.distance_from_start_m));
@@ -192,7 +200,10 @@ std::string end_text(const MissionStatistics& statistics) {
   }
   switch (statistics.last->outcome) {
     case MissionOutcome::kHome:
-      return "The robot returned home.";
+      return fmt::format("The robot returned home{}.", within_text(", within ", *statistics.last));
+    case MissionOutcome::kHomeUncertain:
+      return fmt::format("The robot is at home by its own estimate, but not sure{}.",
+                         within_text(": within ", *statistics.last));
     case MissionOutcome::kStopped:
       return fmt::format("The mission was stopped by order; the robot is {}.", distance);
     case MissionOutcome::kStranded:

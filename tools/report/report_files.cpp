@@ -40,7 +40,10 @@ Json outcome_json(const MissionStatistics& statistics) {
           {"last_reason", statistics.last ? Json(statistics.last->reason) : Json()},
           {"return_home_reason",
            statistics.return_home_reason.empty() ? Json() : Json(statistics.return_home_reason)},
-          {"distance_from_start_m", statistics.distance_from_start_m}};
+          {"distance_from_start_m", statistics.distance_from_start_m},
+          {"home_within_m", statistics.last && statistics.last->home_within_m
+                                ? Json(*statistics.last->home_within_m)
+                                : Json()}};
 }
 
 Json frontiers_json(const MissionStatistics& statistics) {

@@ -186,6 +186,7 @@ map_correction_t to_message(const MapCorrection& correction) {
   set_pose(correction.T_map_odom, message.T_map_odom);
   message.z_map_odom_m = correction.z_map_odom_m;
   message.z_variance = correction.z_variance;
+  set_matrix(correction.body_covariance, message.body_covariance);
   message.has_covariance = static_cast<std::int8_t>(correction.covariance.has_value());
   set_matrix(correction.covariance.value_or(Eigen::Matrix3d::Zero()), message.covariance);
   return message;
@@ -199,6 +200,10 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
     return Rejected{kPoseNotFinite};
   }
   if (!(message.z_variance >= 0.0)) return Rejected{"negative variance"};
+  const Eigen::Matrix3d body_covariance = matrix_from(message.body_covariance);
+  if (!body_covariance.allFinite() || (body_covariance.diagonal().array() < 0.0).any()) {
+    return Rejected{"invalid covariance matrix"};
+  }
   MapCorrection correction{message.utime,
                            message.revision,
                            message.session,
@@ -206,7 +211,8 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
                            pose_from(message.T_map_odom),
                            {},
                            message.z_map_odom_m,
-                           message.z_variance};
+                           message.z_variance,
+                           body_covariance};
   if (message.has_covariance == 0) return correction;
   if (!is_information_matrix(message.covariance)) return Rejected{"invalid covariance matrix"};
   correction.covariance = matrix_from(message.covariance);

@@ -107,6 +107,15 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   return covariances;
 }
 
+Eigen::Matrix3d Trial::covariance(int older, int map) {
+  const auto node = [this](int m) { return std::max(0, m - (first_ > 0 ? first_ - 1 : 0)); };
+  const std::vector<Pose2> nodes = field().poses();
+  const Pose2 T_older_newer = between(nodes[as_index(node(older))], nodes[as_index(node(map))]);
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
+  return R * field().relative_covariance(node(older), node(map)) * R.transpose();
+}
+
 void Trial::accept(int loop_closure, int alternative) {
   const auto k = as_index(loop_closure);
   field().add(

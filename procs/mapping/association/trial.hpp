@@ -47,6 +47,9 @@ class Trial {
   /// frame of `map`. Maps held fixed have no relative uncertainty.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
+  /// The same for one map.
+  [[nodiscard]] Eigen::Matrix3d covariance(int older, int map);
+
   /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);
   /// Revokes chosen loop closures.

@@ -89,7 +89,8 @@ struct MissionSums {
 
   void add(const test::MissionScore& score) {
     returned += score.outcome == "home";
-    returned_to_start += score.outcome == "home" && score.distance_from_start_m <= 0.5;
+    const bool at_home = score.outcome == "home" || score.outcome == "home uncertain";
+    returned_to_start += at_home && score.distance_from_start_m <= 0.5;
     failed += score.outcome == "failed";
     crashed += score.outcome == "crashed";
     verdicts += score.verdicts;

@@ -40,6 +40,8 @@ std::string outcome_of(const MissionLog& log) {
   switch (log.phases.back().outcome) {
     case MissionOutcome::kHome:
       return "home";
+    case MissionOutcome::kHomeUncertain:
+      return "home uncertain";
     case MissionOutcome::kStopped:
       return "stopped";
     default:

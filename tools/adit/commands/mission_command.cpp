@@ -88,7 +88,8 @@ During the mission:
 
 Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
 
-constexpr const char* kMissionExitCodes = "  1  the robot did not return to the start";
+constexpr const char* kMissionExitCodes =
+    "  1  the robot did not return to the start, or is not sure that it did";
 
 constexpr const char* kMissionExamples =
     R"(  adit mission mathies --out mission
@@ -108,7 +109,7 @@ void report(const std::filesystem::path& folder) try {
   std::cerr << fmt::format("adit mission: cannot write the report: {}\n", error.what());
 }
 
-/// Throws the exit code of a mission whose robot did not return.
+/// Throws the exit code of a mission whose robot did not return, or is not sure that it did.
 void require_return(const MissionProgress& last, const std::string& abort_reason) {
   const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome;
   if (!home) throw CLI::RuntimeError(kExitNotReturned);

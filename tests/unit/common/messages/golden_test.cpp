@@ -202,8 +202,9 @@ TEST(Golden, Phase) {
   message.scans = 5;
   message.distance_travelled_m = 40.5;
   message.remaining_m = 800.25;
-  message.outcome = phase_t::OUTCOME_STOPPED;
+  message.outcome = phase_t::OUTCOME_HOME_UNCERTAIN;
   message.complete = 0;
+  message.home_within_m = 1.375;
   MissionPhase phase;
   phase.utime = kUtime;
   phase.sequence = 17;
@@ -217,8 +218,9 @@ TEST(Golden, Phase) {
   phase.scans = 5;
   phase.distance_travelled_m = 40.5;
   phase.remaining_m = 800.25;
-  phase.outcome = MissionOutcome::kStopped;
+  phase.outcome = MissionOutcome::kHomeUncertain;
   phase.complete = false;
+  phase.home_within_m = 1.375;
   expect_golden(message, phase);
 }
 

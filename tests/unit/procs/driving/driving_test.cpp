@@ -94,10 +94,10 @@ TEST_F(IdealVehicle, DrivesToTheEndAndStopsThere) {
   double before = 0.0;
   const DriveOutput output = drive_until(Kind::kArrived, [&](const DriveOutput& out) {
     fastest = std::max(fastest, out.command.speed_m_s);
-    EXPECT_LE(out.command.speed_m_s, before + 0.2 * 0.05 + 1e-9);
+    EXPECT_LE(out.command.speed_m_s, before + params_.speed.acceleration_m_s2 * 0.05 + 1e-9);
     before = out.command.speed_m_s;
   });
-  EXPECT_DOUBLE_EQ(fastest, 0.4);
+  EXPECT_DOUBLE_EQ(fastest, params_.speed.speed_m_s);
   EXPECT_EQ(output.state.path_id, 7);
   EXPECT_NEAR(T_odom_body_.x, 8.0, 0.03);
   EXPECT_NEAR(output.state.progress_m, 8.0, 0.02);
@@ -289,8 +289,8 @@ TEST_F(IdealVehicle, KeepsItsProgressWhileHeld) {
   for (int i = 0; i < 10; ++i) step_while_held();
   const double held_m = step_while_held().state.progress_m;
   for (int i = 0; i < 100; ++i) step_while_held();
-  // Up to the prediction of the last commands, 50 ms at 0.4 m/s.
-  EXPECT_NEAR(held_m, T_odom_body_.x, 0.021);
+  // Up to the prediction of the last commands, 50 ms at 0.5 m/s.
+  EXPECT_NEAR(held_m, T_odom_body_.x, 0.026);
   EXPECT_NEAR(driving_.state().progress_m, held_m, 1e-6);
 }
 

@@ -47,16 +47,18 @@ TEST(SpeedProfile, NeverExceedsItsLimits) {
 
 TEST(SpeedProfile, BrakesToTheEndWithConstantDeceleration) {
   const PathRun run = run_of(TestPathBuilder({}).forward(5.0).path());
-  const SpeedProfile profile(run, {}, 0.5, kRate);
-  EXPECT_DOUBLE_EQ(profile.at(1.0), 0.4);
+  const SpeedParams params;
+  const SpeedProfile profile(run, params, 0.5, kRate);
+  EXPECT_DOUBLE_EQ(profile.at(1.0), params.speed_m_s);
   for (const double remaining : {0.35, 0.2, 0.1}) {
-    EXPECT_NEAR(profile.at(5.0 - remaining), std::sqrt(2.0 * 0.2 * remaining), 1e-9);
+    EXPECT_NEAR(profile.at(5.0 - remaining), std::sqrt(2.0 * params.acceleration_m_s2 * remaining),
+                1e-9);
   }
 }
 
 TEST(SpeedProfile, SlowsDownBesideObstacles) {
   PlannedPath path = TestPathBuilder({}).forward(5.0).path();
-  for (PathPoint& point : path.points) point.clearance_m = 0.15;
+  for (PathPoint& point : path.points) point.clearance_m = 0.06;
   EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.2, 1e-9);
   for (PathPoint& point : path.points) point.clearance_m = 0.0;
   EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.05, 1e-9);

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // When the vehicle may drive: at the start, after a stop, out of where it stands; and clocks.
+#include <cmath>
+#include <functional>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -88,6 +91,50 @@ TEST(GuardRelease, DoesNotAlternate) {
     robot.front = i % 2 == 0 ? HealthyRobot::scan_with(0.35F, 9) : HealthyRobot::free_scan();
     robot.run(0.2);
     EXPECT_TRUE(robot.order.stopped);
+  }
+}
+
+/// Times that the order changes to stop.
+int stops_of(HealthyRobot& robot, double seconds, const std::function<void(double)>& at) {
+  int stops = 0;
+  for (double t = 0.0; t < seconds; t += 0.01) {
+    at(t);
+    const bool was_stopped = robot.order.stopped;
+    robot.run(0.01);
+    stops += robot.order.stopped && !was_stopped ? 1 : 0;
+  }
+  return stops;
+}
+
+TEST(GuardRelease, StopsOnceForADistanceThatVariesAroundTheLimit) {
+  HealthyRobot robot;
+  robot.run(2.0);
+  // At 0.3 m/s the limit is about 0.42 m from the laser. Each time for 0.9 s beyond it.
+  const int stops = stops_of(robot, 10.0, [&](double t) {
+    const bool is_near = std::fmod(t, 1.0) < 0.1;
+    robot.front = HealthyRobot::scan_with(is_near ? 0.40F : 0.44F, 21);
+  });
+  EXPECT_EQ(stops, 1);  // without the margin it would be released between
+  EXPECT_TRUE(robot.order.stopped);
+}
+
+TEST(GuardRelease, SlowsDownWhereOnlyCreepingIsFree) {
+  HealthyRobot robot;
+  robot.run(2.0);
+  robot.front = HealthyRobot::scan_with(0.40F, 21);  // free at 0.05 m/s, not at 0.3 m/s
+  const int stops =
+      stops_of(robot, 10.0, [&](double) { robot.speed_m_s = robot.order.stopped ? 0.05 : 0.3; });
+  EXPECT_LE(stops, 5);  // released after 0.5, 1, 2, 4 s
+}
+
+TEST(GuardRelease, StopsAtOnceAlsoSoonAfterARelease) {
+  HealthyRobot robot;
+  robot.run(2.0);
+  for (int i = 0; i < 4; ++i) {
+    robot.front = HealthyRobot::scan_with(0.35F, 21);
+    EXPECT_LE(robot.seconds_to_stop(1.0).value_or(1.0), 0.04) << i;  // with the next scan
+    robot.front = HealthyRobot::free_scan();
+    while (robot.order.stopped) robot.run(0.01);
   }
 }
 

@@ -123,6 +123,25 @@ TEST(MappingOfRevisitedPlaces, StillLocalisesTheBody) {
   }
 }
 
+/// Relative to home, whether maps are stored or discarded.
+TEST(MappingOfRevisitedPlaces, BodyIsUncertainFarFromHomeAndCertainThere) {
+  for (const int maps_per_place_max : {0, 3}) {
+    Shuttle shuttle(maps_per_place_max);
+    double far_m = 0.0;
+    for (int round = 0; round < 3; ++round) {
+      const auto sd_m = [&] {
+        return position_sd_m(shuttle.mapping->correction()->body_covariance);
+      };
+      shuttle.go(kTunnelM);
+      far_m = std::max(far_m, sd_m());
+      EXPECT_LT(shuttle.error_m(), 3.0 * sd_m()) << round;
+      shuttle.go(kTunnelM);
+      EXPECT_LT(shuttle.error_m(), 3.0 * sd_m()) << round;
+      EXPECT_LT(sd_m(), 0.8 * far_m) << round;
+    }
+  }
+}
+
 TEST(MappingOfRevisitedPlaces, StoresMapsOfNewPlaces) {
   Shuttle shuttle(1);
   shuttle.go(kTunnelM);

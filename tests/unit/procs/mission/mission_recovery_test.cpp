@@ -39,11 +39,11 @@ class MissionRecovery : public ScriptedStages {
     ASSERT_EQ(now(), Phase::kWaiting);
   }
   /// 10 m into the mine, then home along the traversed path.
-  void turn_home() {
+  void turn_home(double reach_m = -10.0) {
     drive_in();
     path(PlanOutcome::kFound);
     arrive();
-    reach_m_ = -10.0;
+    reach_m_ = reach_m;
     answer(Kind::kHome);
     terrain();
   }
@@ -405,7 +405,7 @@ TEST_F(MissionRecovery, ForgetsTheBackOffIfDrivingTimesOut) {
 
 /// Backing off would lead into the mine again.
 TEST_F(MissionRecovery, RejoinsTheTraversedPathOnTheReturn) {
-  turn_home();
+  turn_home(-5.0);  // too short to drive without a scan
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
@@ -422,7 +422,7 @@ TEST_F(MissionRecovery, RejoinsTheTraversedPathOnTheReturn) {
 }
 
 TEST_F(MissionRecovery, RejoinsFartherAfterRejoinsWithoutProgress) {
-  turn_home();
+  turn_home(-5.0);  // too short to drive without a scan
   path(PlanOutcome::kUnknown);
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {

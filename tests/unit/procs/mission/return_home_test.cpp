@@ -47,7 +47,7 @@ TEST_F(MissionNearHome, EndsAtHomeIfNoPathLeadsNearer) {
   }
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
-  EXPECT_THAT(phase().reason, HasSubstr("at home, 0.40 m from the start, and gets no nearer"));
+  EXPECT_THAT(phase().reason, HasSubstr("at home: 0.40 m from the start, it gets no nearer"));
 }
 
 TEST_F(MissionNearHome, TriesTwiceToGetNearer) {
@@ -70,6 +70,74 @@ TEST_F(MissionNearHome, DoesNotAcceptAMetreAsHome) {
   terrain();
   path(PlanOutcome::kBlocked);
   EXPECT_NE(now(), Phase::kEnded);
+}
+
+/// At home after a drive of 8 m, by the decision of exploration.
+class MissionAtHome : public ScriptedStages {
+ protected:
+  void SetUp() override {
+    to_execute();
+    drive(8.0);
+    while (x_m_ > 0.3) {
+      x_m_ -= 0.25;
+      tick();
+    }
+    arrive();
+    ASSERT_EQ(now(), Phase::kExplore);
+  }
+  void expect_drive_for_a_match() {
+    ASSERT_EQ(now(), Phase::kPlan);
+    EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+    EXPECT_THAT(phase().reason, HasSubstr("matching again"));
+    path(PlanOutcome::kFound);
+    arrive();
+    ASSERT_EQ(now(), Phase::kExplore);
+  }
+};
+
+TEST_F(MissionAtHome, SaysWithinWhichDistanceOfTheStartItIs) {
+  map_with_body_sd(0.05);
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+  ASSERT_TRUE(phase().home_within_m);
+  EXPECT_NEAR(*phase().home_within_m, 0.25 + 2.448 * 0.05, 1e-6);  // 95 % in the plane
+  EXPECT_THAT(phase().reason, HasSubstr("at home, within 0.37 m (95 %)"));
+}
+
+TEST_F(MissionAtHome, MatchesAgainIfThePoseIsUncertain) {
+  map_with_body_sd(0.4);
+  answer(Kind::kDone);
+  expect_drive_for_a_match();
+  map_with_body_sd(0.1);
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+  EXPECT_NEAR(*phase().home_within_m, 0.25 + 2.448 * 0.1, 1e-6);
+}
+
+TEST_F(MissionAtHome, IsNotSureIfThePoseStaysUncertain) {
+  for (const double sd_m : {0.6, 0.5}) {
+    map_with_body_sd(sd_m);
+    answer(Kind::kDone);
+    expect_drive_for_a_match();
+  }
+  map_with_body_sd(0.4);  // better, but the tries are used
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
+  EXPECT_NEAR(*phase().home_within_m, 0.25 + 2.448 * 0.4, 1e-6);
+  EXPECT_THAT(phase().reason, HasSubstr("not sure: within 1.23 m (95 %)"));
+}
+
+TEST_F(MissionAtHome, DoesNotMatchAgainIfThatDoesNotHelp) {
+  map_with_body_sd(0.5);
+  answer(Kind::kDone);
+  expect_drive_for_a_match();
+  map_with_body_sd(0.6);
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
 }
 
 }  // namespace

@@ -115,6 +115,13 @@ class ScriptedStages : public testing::Test {
     correction.covariance = covariance;
     mission_.add_correction(correction);
   }
+  /// The pose of the body relative to home has this standard deviation in each direction.
+  void map_with_body_sd(double sd_m) {
+    MapCorrection correction;
+    correction.utime = utime_;
+    correction.body_covariance = Eigen::Vector3d(sd_m * sd_m, sd_m * sd_m, 1e-4).asDiagonal();
+    mission_.add_correction(correction);
+  }
   void match(std::int64_t odom_epoch_utime) {
     ScanMatch match;
     match.odom_epoch_utime = odom_epoch_utime;

@@ -46,6 +46,30 @@ TEST(TraversedPath, LeadsBackOverTheStoredPoses) {
   EXPECT_LE(length_m, 4.25);
 }
 
+/// A loop closure moves odom in map by a metre: what was driven long ago stays in map.
+TEST(TraversedPath, MovesEarlyPosesWithTheMapAndNewOnesWithOdom) {
+  TraversedPath traversed;
+  for (int i = 0; i <= 120; ++i) traversed.add(i, {0.25 * i, 0.0, 0.0});  // to 30, 0
+  traversed.correct({0.0, 1.0, 0.0});
+  const auto path = traversed.back(40.0);
+  EXPECT_NEAR(path.back().x, 0.0, 0.26);
+  EXPECT_NEAR(path.back().y, 1.0, 1e-9);
+  for (const Pose2& T_odom : path) {
+    if (T_odom.x < 20.5) continue;
+    EXPECT_EQ(T_odom.y, 0.0) << T_odom.x;  // the newest 10 m
+  }
+}
+
+TEST(TraversedPath, RemembersTheLastMetresOfAReturnToItsStart) {
+  TraversedPath traversed;
+  for (int i = 0; i <= 40; ++i) traversed.add(i, {0.25 * i, 0.0, 0.0});
+  for (int i = 39; i >= 0; --i) traversed.add(80 - i, {0.25 * i, 0.0, 0.0});
+  EXPECT_LT(traversed.back_length_m(5.0), 0.3);  // it is at its start
+  const auto path = traversed.recent(5.0);
+  EXPECT_NEAR(path.front().x, 0.0, 1e-9);
+  EXPECT_NEAR(path.back().x, 5.0, 0.26);  // spacing of poses
+}
+
 /// Into a side tunnel and out restored.
 TEST(TraversedPath, RemovesALoopAfterReturning) {
   TraversedPath traversed;

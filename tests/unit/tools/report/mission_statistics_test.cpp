@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/mission_statistics.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace adit {
@@ -22,6 +23,18 @@ TEST(MissionStatistics, OutcomeOfACompleteExplorationHasBlockedFrontiers) {
             "(1 blocked).");
   EXPECT_EQ(outcome_text(mission_at_home(true, {.found = 2, .closed = 2})),
             "The robot returned home. The exploration is complete: 2 of 2 frontiers are closed.");
+}
+
+TEST(MissionStatistics, OutcomeSaysHowSureTheRobotIsOfHome) {
+  MissionStatistics statistics = mission_at_home(true, {.found = 2, .closed = 2});
+  statistics.last->home_within_m = 0.214;
+  EXPECT_THAT(outcome_text(statistics),
+              testing::StartsWith("The robot returned home, within 0.21 m (95 %)."));
+  statistics.last->outcome = MissionOutcome::kHomeUncertain;
+  statistics.last->home_within_m = 1.4;
+  EXPECT_THAT(outcome_text(statistics),
+              testing::StartsWith("The robot is at home by its own estimate, but not sure: within "
+                                  "1.40 m (95 %)."));
 }
 
 TEST(MissionStatistics, OutcomeOfAnIncompleteExplorationHasOpenFrontiers) {

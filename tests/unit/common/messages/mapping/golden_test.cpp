@@ -195,10 +195,12 @@ TEST(Golden, MapCorrection) {
   fill(message.T_map_odom, {0.5, -0.25, 0.125});
   message.z_map_odom_m = -2.5;
   message.z_variance = 0.046875;
+  fill_matrix(message.body_covariance);
   message.has_covariance = 1;
   fill_matrix(message.covariance);
-  expect_golden(message,
-                MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix(), -2.5, 0.046875});
+  expect_golden(
+      message,
+      MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix(), -2.5, 0.046875, matrix()});
 }
 
 TEST(Golden, MapRequest) {

@@ -12,11 +12,13 @@
 namespace adit {
 namespace {
 
-constexpr int kPlaneReach = 2;  // cells to each side of the centre
-/// Cells that a plane needs: more than four rows of five. At the edge of the observed ground often
-/// only the rails are observed, as two rows of cells, and their height over four rows would pass
-/// for a slope.
-constexpr int kPlaneCells = 21;
+/// Cells to each side of the centre: the plane is as wide as a wheel and a half, so that a seam of
+/// 2 cm between two scans is a slope of 3 %.
+constexpr int kPlaneReach = 4;
+/// Cells that a plane needs: more than six rows of nine. At the edge of the observed ground often
+/// only the rails are observed, as two rows of cells, and their height over few rows would pass for
+/// a slope.
+constexpr int kPlaneCells = 55;
 constexpr float kUndefined = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>

@@ -19,7 +19,7 @@ constexpr float kExtrapolationMaxM = 0.5F;  // of path length, beyond the last h
 constexpr float kSinceM =
     0.05F;  // path length since an observation, to be certain that it is older
 constexpr double kSpreadM = 0.1;   // regularization of the grade of the ground under the body
-constexpr double kAroundM = 0.5;   // reach of the ground around the body, for its grade
+constexpr double kAlongM = 2.0;    // reach of the ground before and behind the body, for its grade
 constexpr double kContactM = 0.1;  // contact of a wheel, before and behind its axle
 
 /// Visits the cells whose centre lies in a rectangle of body around `middle`.
@@ -81,7 +81,7 @@ float DrivenGround::observed_height_m(const TerrainMap& map, const Pose2& T_leve
 
 /// Of the plane through the ground under the middle of the body, in level.
 Eigen::Vector2f DrivenGround::grade_around(const TerrainMap& map, const BodyPose& pose) const {
-  const Eigen::Vector2d half = half_of(vehicle_).array() + kAroundM;
+  const Eigen::Vector2d half = half_of(vehicle_) + Eigen::Vector2d(kAlongM, 0.0);
   const HeightPlaneFit sums = observed_ground(map, pose.T_level_body, half, vehicle_);
   return sums.plane_through(pose.z_m, kSpreadM).grade;
 }

@@ -9,7 +9,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/vehicle/stance.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 
@@ -38,35 +37,36 @@ TEST(NarrowTunnel, RejectsANameThatIsNotValid) {
   EXPECT_THAT(error_of_narrow("narrow:1.5,round"), HasSubstr("'round' is neither straight"));
 }
 
-/// The reason why the body, 0.05 m wider on each side than the vehicle, cannot follow the centre
-/// line of the narrow stretch.
-std::optional<std::string> stop_of(const std::string& name, double bend_rad) {
-  Vehicle vehicle;
-  vehicle.width_m += 0.1;
-  const Site site(build_world(find_world(name)));
-  Stance stance(site, vehicle);
-  Pose2 pose{3.0, 0.0, 0.0};
-  if (stance.put(pose, site.world().truth.floor_height({3.0, 0.0}).value())) return "start";
-  constexpr double kStepM = 0.05;
-  const double bend_m = 20.0 * std::abs(bend_rad);
-  const double bend_from_m = 12.0 + (15.0 - bend_m) / 2.0 - 3.0;
-  for (double s = 0.0; s < 28.0; s += kStepM) {
-    const bool bends = s >= bend_from_m && s < bend_from_m + bend_m;
-    pose = pose * Pose2{kStepM, 0.0, bends ? kStepM / 20.0 : 0.0};
-    if (const auto stop = stance.move(pose)) return "at " + std::to_string(pose.x);
+/// Width of the floor across the direction `heading_rad` at a point of the centre line, to 1 cm.
+double width_at(const std::string& name, const Eigen::Vector2d& p_world, double heading_rad = 0.0) {
+  const World world = build_world(find_world(name));
+  const Eigen::Vector2d left(-std::sin(heading_rad), std::cos(heading_rad));
+  double width_m = 0.0;
+  for (const double side : {-1.0, 1.0}) {
+    double offset_m = 0.0;
+    while (world.truth.floor_height(p_world + side * offset_m * left)) offset_m += 0.01;
+    width_m += offset_m;
   }
-  return std::nullopt;
+  return width_m;
 }
 
-TEST(NarrowTunnel, LetsAVehicleThroughThatIsTenCentimetresNarrower) {
-  EXPECT_EQ(stop_of("narrow:1.31", 0.0), std::nullopt);
-  EXPECT_EQ(stop_of("narrow:1.31,necked", 0.0), std::nullopt);
-  EXPECT_EQ(stop_of("narrow:1.4,bent", std::numbers::pi / 6.0), std::nullopt);
+constexpr double kReliefM = 0.05;  // of the walls: twice its height, its margin, and the 1 cm
+
+TEST(NarrowTunnel, HasItsWidthWhereItIsNarrowest) {
+  for (const char* name : {"narrow:1.3", "narrow:1.3,necked"}) {
+    EXPECT_NEAR(width_at(name, {19.5, 0.0}), 1.3 + 0.02, kReliefM) << name;
+  }
+  // In the middle of a bend of 30° with a radius of 20 m that begins 2.26 m into the stretch.
+  const double half_rad = std::numbers::pi / 12.0;
+  const Eigen::Vector2d middle(14.26 + 20.0 * std::sin(half_rad),
+                               20.0 * (1.0 - std::cos(half_rad)));
+  EXPECT_NEAR(width_at("narrow:1.3,bent", middle, half_rad), 1.3 + 0.02, kReliefM);
 }
 
-TEST(NarrowTunnel, StopsAVehicleThatIsWider) {
-  EXPECT_NE(stop_of("narrow:1.2", 0.0), std::nullopt);
-  EXPECT_NE(stop_of("narrow:1.2,necked", 0.0), std::nullopt);
+TEST(NarrowTunnel, IsWiderElsewhere) {
+  EXPECT_NEAR(width_at("narrow:1.3", {6.0, 0.0}), 3.0, kReliefM);
+  EXPECT_NEAR(width_at("narrow:1.3", {32.0, 0.0}), 3.0, kReliefM);
+  EXPECT_NEAR(width_at("narrow:1.3,necked", {15.0, 0.0}), 1.6 + 0.02, kReliefM);
 }
 
 }  // namespace

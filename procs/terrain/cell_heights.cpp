@@ -23,6 +23,18 @@ std::vector<int> cells_of(const Cloud& cloud, const CellFinder& finder) {
   return cells;
 }
 
+/// Visits the points that lie in a cell, with the index of the cell.
+template <class Visit>
+void visit_points(const Cloud& cloud, const std::vector<int>& cells, const Visit& visit) {
+  std::size_t i = 0;
+  for (const CloudLine& line : cloud.lines) {
+    for (const Eigen::Vector3f& p : line.points) {
+      const int cell = cells[i++];
+      if (cell != CellFinder::kOutside) visit(p, static_cast<std::size_t>(cell));
+    }
+  }
+}
+
 }  // namespace
 
 bool is_usable(const Eigen::Vector3f& p_level) {
@@ -42,22 +54,23 @@ CellHeights::CellHeights(const Cloud& cloud, const TerrainMap& map)
     : lowest_m_(map.cells.box(), std::numeric_limits<float>::infinity()),
       starts_(map.cells.size() + 1, 0) {
   const std::vector<int> cells = cells_of(cloud, CellFinder(map));
-  for (const int cell : cells) {
-    if (cell != CellFinder::kOutside) ++starts_[static_cast<std::size_t>(cell) + 1];
-  }
+  visit_points(cloud, cells, [&](const Eigen::Vector3f& p, std::size_t cell) {
+    ++starts_[cell + 1];
+    lowest_m_[cell] = std::min(lowest_m_[cell], p.z());
+  });
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
   heights_.resize(starts_.back());
+  trend_ = GroundTrend(lowest_m_, map.cell_m);
+  std::ranges::fill(lowest_m_, std::numeric_limits<float>::infinity());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  std::size_t i = 0;
-  for (const CloudLine& line : cloud.lines) {
-    for (const Eigen::Vector3f& p : line.points) {
-      const int cell_or_none = cells[i++];
-      if (cell_or_none == CellFinder::kOutside) continue;
-      const auto cell = static_cast<std::size_t>(cell_or_none);
-      heights_[next[cell]++] = p.z();
-      lowest_m_[cell] = std::min(lowest_m_[cell], p.z());
-    }
-  }
+  const auto cells_per_m = static_cast<float>(1.0 / map.cell_m);
+  visit_points(cloud, cells, [&](const Eigen::Vector3f& p, std::size_t cell) {
+    const Eigen::Vector2i at = map.cells.cell(cell);
+    const Eigen::Vector2f from_centre = p.head<2>() - map.centre(at.x(), at.y()).cast<float>();
+    const float z = p.z() - cells_per_m * trend_.rise_m(cell).dot(from_centre);
+    heights_[next[cell]++] = z;
+    lowest_m_[cell] = std::min(lowest_m_[cell], z);
+  });
 }
 
 }  // namespace adit

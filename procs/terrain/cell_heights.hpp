@@ -10,6 +10,7 @@
 #include "common/grid/grid2.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
+#include "procs/terrain/ground_trend.hpp"
 
 namespace adit {
 
@@ -45,22 +46,24 @@ class CellFinder {
   int rows_;
 };
 
-/// Heights of the points of a cloud, sorted by cell. Those of neighbours in a row are contiguous.
+/// Heights of the points of a cloud, sorted by cell, each moved to the centre of its cell along the
+/// trend of the ground: a slope within a cell is no difference of heights.
 class CellHeights {
  public:
   CellHeights(const Cloud& cloud, const TerrainMap& map);
 
-  /// z in level [m] of the points in the cells `first` to `last`, both included, of a row.
-  [[nodiscard]] std::span<const float> in(int first, int last, int row) const {
-    const std::uint32_t begin = starts_[lowest_m_.index({first, row})];
-    const std::uint32_t end = starts_[lowest_m_.index({last, row}) + 1];
-    return std::span(heights_).subspan(begin, end - begin);
+  /// z in level [m] of the points in a cell.
+  [[nodiscard]] std::span<const float> in(int column, int row) const {
+    const std::size_t cell = lowest_m_.index({column, row});
+    return std::span(heights_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
 
   /// The lowest height in a cell [m]; infinite without points.
   [[nodiscard]] float lowest_m(int column, int row) const { return lowest_m_.at({column, row}); }
+  [[nodiscard]] const GroundTrend& trend() const { return trend_; }
 
  private:
+  GroundTrend trend_;
   Grid2<float> lowest_m_;
   std::vector<std::uint32_t> starts_;  ///< start of the heights of each cell, and the end
   std::vector<float> heights_;

@@ -7,14 +7,18 @@
 #include <limits>
 #include <vector>
 
+#include "procs/terrain/ground_trend.hpp"
+
 namespace adit {
 namespace {
 
-constexpr int kPlaneReach = 2;  // cells to each side of the centre
-/// Cells that a plane needs: more than four rows of five. At the edge of the observed ground often
-/// only the rails are observed, as two rows of cells, and their height over four rows would pass
-/// for a slope.
-constexpr int kPlaneCells = 21;
+/// Cells to each side of the centre: the plane is as wide as a wheel and a half, so that a seam of
+/// 2 cm between two scans is a slope of 3 %.
+constexpr int kPlaneReach = 4;
+/// Cells that a plane needs: more than six rows of nine. At the edge of the observed ground often
+/// only the rails are observed, as two rows of cells, and their height over few rows would pass for
+/// a slope.
+constexpr int kPlaneCells = 55;
 constexpr float kUndefined = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>
@@ -61,26 +65,35 @@ float slope_rad(const TerrainMap& map, int column, int row) {
   return std::atan(sums.grade() / static_cast<float>(map.cell_m));
 }
 
-float step_m(const TerrainMap& map, int column, int row) {
+float step_m(const TerrainMap& map, const Eigen::Vector2f& rise_m, int column, int row) {
   const float middle = map.cells.at({column, row}).low_m;
   float step = 0.0F;
   int neighbours = -1;  // excludes the cell itself
-  visit_observed(map, column, row, 1, [&](float, float, float z) {
-    step = std::max(step, std::abs(z - middle));
+  visit_observed(map, column, row, 1, [&](float u, float v, float z) {
+    step = std::max(step, std::abs(z - middle - rise_m.x() * u - rise_m.y() * v));
     ++neighbours;
   });
   return neighbours > 0 ? step : kUndefined;
 }
 
+GroundTrend trend_of(const TerrainMap& map) {
+  Grid2<float> low_m(map.cells.box(), kUndefined);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i].ground == Ground::kObserved) low_m[i] = map.cells[i].low_m;
+  }
+  return {low_m, map.cell_m};
+}
+
 }  // namespace
 
 void set_slope_and_step(TerrainMap& map) {
+  const GroundTrend trend = trend_of(map);
   for (int row = 0; row < map.cells.rows(); ++row) {
     for (int column = 0; column < map.cells.columns(); ++column) {
       TerrainCell& cell = map.cells.at({column, row});
       const bool observed = cell.ground == Ground::kObserved;
       cell.slope_rad = observed ? slope_rad(map, column, row) : kUndefined;
-      cell.step_m = observed ? step_m(map, column, row) : kUndefined;
+      cell.step_m = observed ? step_m(map, trend.rise_m(column, row), column, row) : kUndefined;
     }
   }
 }

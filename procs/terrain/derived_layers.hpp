@@ -8,8 +8,9 @@
 namespace adit {
 
 /// Sets slope and step of the observed cells from the ground around them: the slope of a
-/// least-squares plane through 5 × 5 cells, and the largest height difference to the 8 neighbours.
-/// NaN if fewer than 21 of the 25 cells, or no neighbour, are observed.
+/// least-squares plane through 9 × 9 cells, and the largest height difference to the 8 neighbours,
+/// relative to the trend of the ground.
+/// NaN if fewer than 55 of the 81 cells, or no neighbour, are observed.
 void set_slope_and_step(TerrainMap& map);
 
 /// Sets the repulsion of all cells: the coefficients convolved with a cone of value 1 at its centre

@@ -15,8 +15,9 @@ constexpr float kNoise = 0.03F;  // noise of the lowest heights of neighbours [m
 }  // namespace
 
 GroundLevel::GroundLevel(const TerrainMap& map, const std::vector<float>& low_m,
-                         const TerrainParams& params)
+                         const GroundTrend& trend, const TerrainParams& params)
     : low_m_(low_m),
+      trend_(trend),
       step_m_(static_cast<float>(params.vehicle.step_max_m)),
       rise_m_(static_cast<float>(params.unseen.grade_max * map.cell_m)),
       level_m_(map.cells.size(), 0.0F),
@@ -37,11 +38,16 @@ void GroundLevel::start_below_vehicle(const TerrainMap& map, const Vehicle& vehi
   };
   const auto columns = range(vehicle.length_m / 2.0, map.p_level_corner.x(), map.cells.columns());
   const auto rows = range(vehicle.width_m / 2.0, map.p_level_corner.y(), map.cells.rows());
+  const Eigen::Vector2i middle((columns.first + columns.second) / 2,
+                               (rows.first + rows.second) / 2);
+  const Eigen::Vector2f& rise_m = trend_.rise_m(middle.x(), middle.y());
+  const auto cells_per_m = static_cast<float>(1.0 / map.cell_m);
   for (int row = rows.first; row <= rows.second; ++row) {
     for (int column = columns.first; column <= columns.second; ++column) {
       const std::size_t cell = map.cells.index({column, row});
-      observed_[cell] = low_m_[cell] <= step_m_ ? 1 : 0;
-      enter(cell, 0.0F, 0);
+      const float level = cells_per_m * rise_m.dot(map.centre(column, row).cast<float>());
+      observed_[cell] = low_m_[cell] <= level + step_m_ ? 1 : 0;
+      enter(cell, level, 0);
     }
   }
 }
@@ -69,22 +75,22 @@ void GroundLevel::spread(std::size_t columns) {
 
 void GroundLevel::visit_neighbours(std::size_t cell, std::size_t columns) {
   const std::size_t column = cell % columns;
-  if (column > 0) visit(cell - 1, cell);
-  if (column + 1 < columns) visit(cell + 1, cell);
-  if (cell >= columns) visit(cell - columns, cell);
-  if (cell + columns < level_m_.size()) visit(cell + columns, cell);
+  if (column > 0) visit(cell - 1, cell, {-1.0F, 0.0F});
+  if (column + 1 < columns) visit(cell + 1, cell, {1.0F, 0.0F});
+  if (cell >= columns) visit(cell - columns, cell, {0.0F, -1.0F});
+  if (cell + columns < level_m_.size()) visit(cell + columns, cell, {0.0F, 1.0F});
 }
 
-void GroundLevel::visit(std::size_t cell, std::size_t from) {
+void GroundLevel::visit(std::size_t cell, std::size_t from, const Eigen::Vector2f& ahead) {
   if (unobserved_[cell] == 0) return;
-  const float level = level_m_[from];
+  const float level = level_m_[from] + trend_.rise_m(cell).dot(ahead);
   const float low = low_m_[cell];
   const float rise = rise_m_ * static_cast<float>(unobserved_[from] + 1);
   if (low <= level + rise + kNoise && low >= level - step_m_) {
     observed_[cell] = 1;
     enter(cell, low, 0);
   } else if (unobserved_[from] + 1 < unobserved_[cell]) {
-    // Behind a pit, a rock or a wall the ground is expected at the level in front of it.
+    // Behind a pit, a rock or a wall the ground is expected to continue that in front.
     observed_[cell] = low < level ? 1 : 0;
     enter(cell, level, unobserved_[from] + 1);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/types/terrain_map.hpp"
+#include "procs/terrain/ground_trend.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {
@@ -14,14 +15,17 @@ namespace adit {
 /// ground are not mistaken for ground.
 class GroundLevel {
  public:
-  /// Propagates the level from below the vehicle (z = 0) from neighbour to neighbour, over observed
-  /// ground first. `low_m`: lowest height of each region, row by row, NaN if it has none; must
-  /// outlive this object. A region that is higher than its neighbour by more than ground can rise
-  /// since it was last observed does not show the ground: the level continues unchanged, and what
-  /// rises above it counts as height.
-  GroundLevel(const TerrainMap& map, const std::vector<float>& low_m, const TerrainParams& params);
+  /// Propagates the level from below the vehicle (z = 0 at the origin) from neighbour to neighbour
+  /// along the trend of the ground, over observed ground first. `low_m`: lowest height of each
+  /// region, row by row, NaN if it has none; must outlive this object, as must `trend`. A region
+  /// that is higher than expected from its neighbour by more than ground can rise since it was last
+  /// observed does not show the ground: the level continues along the trend, and what rises above
+  /// it counts as height.
+  GroundLevel(const TerrainMap& map, const std::vector<float>& low_m, const GroundTrend& trend,
+              const TerrainParams& params);
 
   [[nodiscard]] float at(std::size_t cell) const { return level_m_[cell]; }
+  [[nodiscard]] const GroundTrend& trend() const { return trend_; }
   /// Height of the ground where it is observed, otherwise the expected level.
   [[nodiscard]] float low_m(std::size_t cell) const {
     return is_observed(cell) ? low_m_[cell] : level_m_[cell];
@@ -33,12 +37,14 @@ class GroundLevel {
   void start_below_vehicle(const TerrainMap& map, const Vehicle& vehicle);
   void spread(std::size_t columns);
   void visit_neighbours(std::size_t cell, std::size_t columns);
-  void visit(std::size_t cell, std::size_t from);
+  /// `ahead`: from the cell `from` to its neighbour `cell`.
+  void visit(std::size_t cell, std::size_t from, const Eigen::Vector2f& ahead);
   void enter(std::size_t cell, float level_m, std::size_t unobserved);
 
   const std::vector<float>& low_m_;
+  const GroundTrend& trend_;
   float step_m_;
-  float rise_m_;  ///< maximal rise of unobserved ground per cell
+  float rise_m_;  ///< maximal rise of unobserved ground per cell, beyond the trend
   std::vector<float> level_m_;
   std::vector<std::size_t> unobserved_;  ///< cells since the last observed ground
   std::vector<std::uint8_t> observed_;

@@ -43,21 +43,29 @@ RegionHeights::Extent RegionHeights::extent(int column, int row) const {
 }
 
 template <class Visit>
-void RegionHeights::visit(int column, int row, const Visit& visit) const {
+void RegionHeights::visit_cells(int column, int row, const Visit& visit) const {
   const Extent region = extent(column, row);
+  const Eigen::Vector2f& rise_m = heights_.trend().rise_m(column, row);
   for (int r = region.bottom; r <= region.top; ++r) {
-    for (const float z : heights_.in(region.left, region.right, r)) visit(z);
+    for (int c = region.left; c <= region.right; ++c) {
+      visit(c, r,
+            rise_m.x() * static_cast<float>(c - column) + rise_m.y() * static_cast<float>(r - row));
+    }
   }
 }
 
+template <class Visit>
+void RegionHeights::visit(int column, int row, const Visit& visit) const {
+  visit_cells(column, row, [&](int c, int r, float rise_m) {
+    for (const float z : heights_.in(c, r)) visit(z - rise_m);
+  });
+}
+
 float RegionHeights::least_m(int column, int row) const {
-  const Extent region = extent(column, row);
   float least = kInfinity;
-  for (int r = region.bottom; r <= region.top; ++r) {
-    for (int c = region.left; c <= region.right; ++c) {
-      least = std::min(least, heights_.lowest_m(c, r));
-    }
-  }
+  visit_cells(column, row, [&](int c, int r, float rise_m) {
+    least = std::min(least, heights_.lowest_m(c, r) - rise_m);
+  });
   return least;
 }
 

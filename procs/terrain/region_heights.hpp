@@ -9,7 +9,8 @@
 
 namespace adit {
 
-/// Heights of the overlapping regions (paper, section 3.1): 3 × 3 cells around each cell.
+/// Heights of the overlapping regions (paper, section 3.1): 3 × 3 cells around each cell. Heights
+/// are moved to the centre of the region along the trend of the ground.
 class RegionHeights {
  public:
   /// Heights above the ground of a region.
@@ -32,6 +33,9 @@ class RegionHeights {
     int left, right, bottom, top;
   };
   [[nodiscard]] Extent extent(int column, int row) const;
+  /// Visits the cells of a region, with the rise of the trend from its centre to them [m].
+  template <class Visit>
+  void visit_cells(int column, int row, const Visit& visit) const;
   template <class Visit>
   void visit(int column, int row, const Visit& visit) const;
   [[nodiscard]] float least_m(int column, int row) const;

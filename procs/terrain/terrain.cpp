@@ -81,7 +81,7 @@ TerrainMap Terrain::heights(const Cloud& cloud) const {
   const CellHeights heights(cloud, map);
   const RegionHeights regions(heights, map, params_);
   const std::vector<float> low_m = lowest(regions, map);
-  const GroundLevel ground(map, low_m, params_);
+  const GroundLevel ground(map, low_m, heights.trend(), params_);
   set_heights(map, regions, ground);
   classify_unseen_ground(map, cloud, heights, ground, params_);
   return map;

@@ -28,7 +28,7 @@ struct HeightEstimatorParams {
 
 /// Classification of ground without points.
 struct UnseenGroundParams {
-  double grade_max = 0.25;      ///< maximal grade of unobserved ground
+  double grade_max = 0.25;      ///< maximal grade of unobserved ground, beyond its trend
   double floor_range_m = 8.0;   ///< range up to which dry ground returns a beam
   double gap_max_m = 1.0;       ///< larger gaps between beams that hit the ground are unknown
   double gap_of_spacing = 2.5;  ///< the same, in spacings of the beams on level ground

@@ -30,7 +30,8 @@ RandomMineParams random_params(const WorldChoice& choice) {
 CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
   CLI::Option* world = app.add_option(
       "WORLD", choice.name,
-      "A built-in world, random, random_level, two_levels, grade:PERCENT, a world file, or a mesh");
+      "A built-in world, random, random_level, two_levels, grade:PERCENT, narrow:METRES, a world "
+      "file, or a mesh");
   app.add_option("--seed", choice.seed, "Seed of everything random, instead of that of the world")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);

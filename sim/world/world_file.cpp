@@ -10,6 +10,7 @@
 #include "common/config/nearest_name.hpp"
 #include "sim/world/built_in_world_files.hpp"
 #include "sim/world/grade_tunnel.hpp"
+#include "sim/world/narrow_tunnel.hpp"
 #include "sim/world/random/random_mine.hpp"
 #include "sim/world/random/two_levels.hpp"
 
@@ -57,6 +58,7 @@ WorldDescription from_mesh(const std::filesystem::path& path) {
   known.emplace_back(kRandomLevel);
   known.emplace_back(kTwoLevels);
   known.emplace_back("grade:PERCENT");
+  known.emplace_back("narrow:METRES");
   const std::string nearest = nearest_name(name, known);
   const std::string advice = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
   throw std::runtime_error(
@@ -86,6 +88,9 @@ WorldDescription find_world(const std::string& name, std::optional<int> seed) {
   }
   if (name == kTwoLevels) return two_levels(seed.value_or(1));
   if (const auto grade = parse_grade_tunnel(name)) return grade_tunnel(*grade, seed.value_or(1));
+  if (const auto narrow = parse_narrow_tunnel(name)) {
+    return narrow_tunnel(*narrow, seed.value_or(1));
+  }
   std::optional<WorldDescription> known = built_in(name);
   WorldDescription description = known ? *std::move(known) : from_path(name);
   if (seed) description.seed = *seed;

@@ -42,13 +42,16 @@ std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_b
 }
 
 /// Whether the ground beyond the blind zone ahead (`side` 1) or behind (−1) continues the ground
-/// under the robot, which may stand on a slope: its height differs by less than a step, or does so
-/// when extrapolated by its own slope to the end of the robot or to its middle.
+/// under the robot, which may stand on a slope or on a change of it. Its height differs by less
+/// than a step from that under the robot, as it is or extrapolated by its own slope to the end of
+/// the robot or to its middle; or from what follows from the ground under that end of the robot,
+/// with the grade there, the grade beyond, or one between.
 bool continues_level(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle& vehicle,
                      const GroundLimits& limits, double side) {
   const double end_m = vehicle.length_m / 2.0;
   const double from_m = end_m + limits.blind_ahead_m;
   const double half_m = vehicle.width_m / 2.0 + limits.blind_margin_m;
+  const double step_m = vehicle.step_max_m - limits.step_margin_m;
   const auto near = height_between(terrain, T_body_level, side * (from_m - kStripM / 2.0),
                                    side * (from_m + kStripM / 2.0), half_m);
   if (!near) return false;
@@ -57,8 +60,14 @@ bool continues_level(const TerrainMap& terrain, const Pose2& T_body_level, const
   const double grade = far ? (*far - *near) / ((kStripM + kFarStripM) / 2.0) : 0.0;
   const double at_end = *near - grade * limits.blind_ahead_m;
   const double at_middle = *near - grade * from_m;
-  return std::min({std::abs(*near), std::abs(at_end), std::abs(at_middle)}) <
-         vehicle.step_max_m - limits.step_margin_m;
+  if (std::min({std::abs(*near), std::abs(at_end), std::abs(at_middle)}) < step_m) return true;
+  const double under_m = end_m - kStripM / 2.0;
+  const auto under = height_between(terrain, T_body_level, side * (end_m - kStripM), side * end_m,
+                                    vehicle.width_m / 2.0);
+  if (!under) return false;
+  const auto [low, high] = std::minmax({grade, *under / under_m});
+  const double distance_m = from_m - under_m;
+  return *near > *under + low * distance_m - step_m && *near < *under + high * distance_m + step_m;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "procs/terrain/memory/height_plane.hpp"
 #include "procs/terrain/memory/remembered_map.hpp"
 
 namespace adit {
@@ -17,6 +18,8 @@ constexpr float kInterpolationMaxM = 3.0F;  // of path length, between two heigh
 constexpr float kExtrapolationMaxM = 0.5F;  // of path length, beyond the last height
 constexpr float kSinceM =
     0.05F;  // path length since an observation, to be certain that it is older
+constexpr double kSpreadM = 0.1;   // regularization of the grade of the ground under the body
+constexpr double kAlongM = 2.0;    // reach of the ground before and behind the body, for its grade
 constexpr double kContactM = 0.1;  // contact of a wheel, before and behind its axle
 
 /// Visits the cells whose centre lies in a rectangle of body around `middle`.
@@ -40,6 +43,20 @@ Eigen::Vector2d half_of(const Vehicle& vehicle) {
   return {vehicle.length_m / 2.0, vehicle.width_m / 2.0};
 }
 
+/// The observed ground in a rectangle around the body, relative to its middle.
+HeightPlaneFit observed_ground(const TerrainMap& map, const Pose2& T_level_body,
+                               const Eigen::Vector2d& half, const Vehicle& vehicle) {
+  HeightPlaneFit sums;
+  visit_cells(map, T_level_body, Eigen::Vector2d::Zero(), half, [&](std::size_t i) {
+    const TerrainCell& cell = map.cells[i];
+    if (cell.ground != Ground::kObserved || is_obstacle(cell, obstacle_height_m(vehicle))) return;
+    const Eigen::Vector2i at = map.cells.cell(i);
+    const Eigen::Vector2d from_body = map.centre(at.x(), at.y()) - T_level_body.translation();
+    sums.add(from_body.cast<float>(), cell.low_m);
+  });
+  return sums;
+}
+
 }  // namespace
 
 DrivenGround::DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::Place>& places,
@@ -55,17 +72,18 @@ DrivenGround::DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::P
 }
 
 float DrivenGround::observed_height_m(const TerrainMap& map, const Pose2& T_level_body) const {
-  float sum = 0.0F;
-  int observed = 0;
-  visit_cells(map, T_level_body, Eigen::Vector2d::Zero(), half_of(vehicle_), [&](std::size_t i) {
-    const TerrainCell& cell = map.cells[i];
-    if (cell.ground != Ground::kObserved || is_obstacle(cell, obstacle_height_m(vehicle_))) return;
-    sum += cell.low_m;
-    ++observed;
-  });
+  const HeightPlaneFit sums = observed_ground(map, T_level_body, half_of(vehicle_), vehicle_);
   const double cells = vehicle_.length_m * vehicle_.width_m / (map.cell_m * map.cell_m);
-  return observed > 0 && observed >= kObservedShare * cells ? sum / static_cast<float>(observed)
-                                                            : kUnknownHeight;
+  const auto observed = static_cast<double>(sums.count());
+  return observed > 0.0 && observed >= kObservedShare * cells ? sums.plane(kSpreadM).offset_m
+                                                              : kUnknownHeight;
+}
+
+/// Of the plane through the ground under the middle of the body, in level.
+Eigen::Vector2f DrivenGround::grade_around(const TerrainMap& map, const BodyPose& pose) const {
+  const Eigen::Vector2d half = half_of(vehicle_) + Eigen::Vector2d(kAlongM, 0.0);
+  const HeightPlaneFit sums = observed_ground(map, pose.T_level_body, half, vehicle_);
+  return sums.plane_through(pose.z_m, kSpreadM).grade;
 }
 
 void DrivenGround::interpolate() {
@@ -98,7 +116,6 @@ void DrivenGround::interpolate() {
 
 void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>& changed,
                                const std::vector<float>& observed_at_m) const {
-  const Eigen::Vector2d contact(kContactM, vehicle_.wheel_width_m / 2.0);
   const Eigen::Vector2d grown = half_of(vehicle_).array() + map.cell_m / 2.0;
   const auto belly_m = static_cast<float>(vehicle_.belly_clearance_m);
   for (const BodyPose& pose : poses_) {
@@ -112,18 +129,31 @@ void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>&
   }
   for (const BodyPose& pose : poses_) {
     if (std::isnan(pose.z_m)) continue;
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) {
-        const Eigen::Vector2d wheel(x * vehicle_.wheelbase_m, y * vehicle_.track_m);
-        visit_cells(map, pose.T_level_body, wheel, contact, [&](std::size_t i) {
-          TerrainCell& cell = map.cells[i];
-          if (!is_unknown(cell) || changed[i] != 0) return;
-          cell.ground = Ground::kObserved;
-          cell.count = 0;
-          cell.low_m = cell.high_m = pose.z_m;
-        });
-      }
+    fill_wheels(map, changed, pose);
+  }
+}
+
+void DrivenGround::fill_wheels(TerrainMap& map, const std::vector<std::uint8_t>& changed,
+                               const BodyPose& pose) const {
+  const Eigen::Vector2d contact(kContactM, vehicle_.wheel_width_m / 2.0);
+  std::vector<std::size_t> cells;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      const Eigen::Vector2d wheel(x * vehicle_.wheelbase_m, y * vehicle_.track_m);
+      visit_cells(map, pose.T_level_body, wheel, contact, [&](std::size_t i) {
+        if (is_unknown(map.cells[i]) && changed[i] == 0) cells.push_back(i);
+      });
     }
+  }
+  if (cells.empty()) return;
+  const Eigen::Vector2f grade = grade_around(map, pose);
+  for (const std::size_t i : cells) {
+    TerrainCell& cell = map.cells[i];
+    const Eigen::Vector2i at = map.cells.cell(i);
+    const Eigen::Vector2d from_body = map.centre(at.x(), at.y()) - pose.T_level_body.translation();
+    cell.ground = Ground::kObserved;
+    cell.count = 0;
+    cell.low_m = cell.high_m = pose.z_m + grade.dot(from_body.cast<float>());
   }
 }
 

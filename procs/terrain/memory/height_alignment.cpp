@@ -7,8 +7,6 @@
 #include <iterator>
 #include <vector>
 
-#include "common/geometry/symmetric_solve.hpp"
-
 namespace adit {
 namespace {
 
@@ -16,7 +14,8 @@ constexpr int kStride = 2;                   // stride of the compared cells, al
 constexpr std::size_t kDifferencesMin = 60;  // minimum for an alignment
 constexpr float kCoarseInlierM =
     0.15F;  // distance from the median up to which the first fit uses them [m]
-constexpr float kTiltSpread = 1.0F;  // regularization of the tilt, as the spread of the points [m]
+constexpr double kTiltSpread = 1.0;  // regularization of the tilt, as the spread of the points [m]
+constexpr double kBodySpread = 0.1;  // the same for the grade of the ground under the body
 constexpr double kSamePlace = 0.1;   // distance of two scans from the same place [m]
 constexpr int kDisappearedMin = 15;
 
@@ -25,21 +24,10 @@ struct Difference {
   float dz;
 };
 
-/// Least squares with a regularized grade, for points that lie close together.
 HeightPlane fit(const std::vector<Difference>& differences) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const auto& d : differences) mean += Eigen::Vector3d(d.p_level.x(), d.p_level.y(), d.dz);
-  mean /= static_cast<double>(differences.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-  for (const auto& d : differences) {
-    const Eigen::Vector2d p = d.p_level.cast<double>() - mean.head<2>();
-    spread += p * p.transpose();
-    moment += p * (d.dz - mean.z());
-  }
-  spread.diagonal().array() += kTiltSpread * kTiltSpread * static_cast<double>(differences.size());
-  const Eigen::Vector2d grade = solve_symmetric(spread, moment);
-  return {static_cast<float>(mean.z() - grade.dot(mean.head<2>())), grade.cast<float>()};
+  HeightPlaneFit sums;
+  for (const Difference& d : differences) sums.add(d.p_level, d.dz);
+  return sums.plane(kTiltSpread);
 }
 
 std::vector<Difference> inliers(const std::vector<Difference>& all, const HeightPlane& plane,
@@ -76,6 +64,8 @@ class Comparison {
         if (cell != nullptr) compare(column, row, p_now, p_before, *cell);
       }
     }
+    compare_with_body(under_body_before_, 1.0F);
+    compare_with_body(under_body_now_, -1.0F);
   }
 
   [[nodiscard]] const std::vector<Difference>& differences() const { return differences_; }
@@ -97,12 +87,31 @@ class Comparison {
     if (even_now && even_before) {
       differences_.push_back({p, now.low_m - before.low_m});
     } else if (even_now && is_below_body(p_before)) {
-      differences_.push_back({p, now.low_m});
+      under_body_before_.push_back({p, p_before.cast<float>(), now.low_m});
     } else if (even_before && is_below_body(p_now)) {
-      differences_.push_back({p, -before.low_m});
+      under_body_now_.push_back({p, p, before.low_m});
     }
     if (!observed_now || !is_obstacle(before, high_m_)) return;
     ++(obstacle_near(column, row) ? persisted_ : disappeared_);
+  }
+
+  /// Ground that one scan observed where the body stood at the other.
+  struct BodyGround {
+    Eigen::Vector2f p_level;  ///< of the new scan
+    Eigen::Vector2f p_body;
+    float z_m;
+  };
+
+  /// The ground under the origin of the body has height 0. That around it may slope: its own plane
+  /// moves the heights to the origin.
+  void compare_with_body(const std::vector<BodyGround>& ground, float sign) {
+    if (ground.empty()) return;
+    HeightPlaneFit sums;
+    for (const BodyGround& at : ground) sums.add(at.p_body, at.z_m);
+    const Eigen::Vector2f grade = sums.plane(kBodySpread).grade;
+    for (const BodyGround& at : ground) {
+      differences_.push_back({at.p_level, sign * (at.z_m - grade.dot(at.p_body))});
+    }
   }
 
   [[nodiscard]] bool is_below_body(const Eigen::Vector2d& p_body) const {
@@ -125,6 +134,8 @@ class Comparison {
   Eigen::Vector2d half_;
   Eigen::Isometry2d T_before_now_;
   std::vector<Difference> differences_;
+  std::vector<BodyGround> under_body_before_;
+  std::vector<BodyGround> under_body_now_;
   int disappeared_ = 0;
   int persisted_ = 0;
 };

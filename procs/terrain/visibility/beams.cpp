@@ -19,15 +19,23 @@ BeamEnds::BeamEnds(const TerrainMap& map, const GroundLevel& ground, const Terra
     : finder_(map),
       ground_(ground),
       step_m_(static_cast<float>(params.vehicle.step_max_m)),
-      floor_range_m_(static_cast<float>(params.unseen.floor_range_m)) {}
+      floor_range_m_(static_cast<float>(params.unseen.floor_range_m)),
+      cells_per_m_(static_cast<float>(1.0 / map.cell_m)) {}
+
+float BeamEnds::grade(int cell, const Eigen::Vector2f& direction) const {
+  if (cell == CellFinder::kOutside) return 0.0F;
+  return cells_per_m_ * ground_.trend().rise_m(static_cast<std::size_t>(cell)).dot(direction);
+}
 
 std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
                                           const Eigen::Vector3f& p_level) const {
   if (!is_usable(p_level)) return std::nullopt;
-  const float range = (p_level - origin).head<2>().norm();
+  const Eigen::Vector2f away = (p_level - origin).head<2>();
+  const float range = away.norm();
   if (range < kRangeMin) return std::nullopt;
-  BeamEnd end{(p_level.z() - origin.z()) / range, range, p_level.z(), BeamEnd::Kind::kObstacle};
   const int cell = finder_.at(p_level.x(), p_level.y());
+  BeamEnd end{(p_level.z() - origin.z()) / range, range, p_level.z(), grade(cell, away / range),
+              BeamEnd::Kind::kObstacle};
   // Outside the map the ground is unknown: anything well below the laser may be ground.
   const float ground = cell == CellFinder::kOutside ? origin.z() - step_m_
                                                     : ground_.at(static_cast<std::size_t>(cell));
@@ -42,15 +50,17 @@ std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
   const float slope = direction.z() / horizontal;
   float range = 0.0F;
   float ground = 0.0F;
+  int cell = CellFinder::kOutside;
   for (int i = 0; i < kSteps; ++i) {
     range = (ground - origin.z()) / slope;
     if (!(range >= kRangeMin && range <= floor_range_m_)) return std::nullopt;
     const Eigen::Vector2f p = origin.head<2>() + range / horizontal * direction.head<2>();
-    const int cell = finder_.at(p.x(), p.y());
+    cell = finder_.at(p.x(), p.y());
     if (cell == CellFinder::kOutside) return std::nullopt;
     ground = ground_.at(static_cast<std::size_t>(cell));
   }
-  return BeamEnd{slope, range, ground, BeamEnd::Kind::kLost};
+  return BeamEnd{slope, range, ground, grade(cell, direction.head<2>() / horizontal),
+                 BeamEnd::Kind::kLost};
 }
 
 namespace {

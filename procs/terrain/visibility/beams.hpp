@@ -14,7 +14,8 @@
 
 namespace adit {
 
-/// End of a beam in a vertical plane: slope, horizontal range, and what it hit.
+/// End of a beam in a vertical plane: slope, horizontal range, what it hit, and the grade of the
+/// ground there.
 struct BeamEnd {
   enum class Kind : std::uint8_t {
     kGround,
@@ -25,6 +26,7 @@ struct BeamEnd {
   float slope = 0.0F;    ///< rise over horizontal distance
   float range_m = 0.0F;  ///< horizontal
   float z_m = 0.0F;      ///< z of its end in level
+  float grade = 0.0F;    ///< trend of the ground at its end, in its direction
   Kind kind = Kind::kGround;
 };
 
@@ -42,10 +44,13 @@ class BeamEnds {
                                                const Eigen::Vector3f& direction) const;
 
  private:
+  [[nodiscard]] float grade(int cell, const Eigen::Vector2f& direction) const;
+
   CellFinder finder_;
   const GroundLevel& ground_;
   float step_m_;
   float floor_range_m_;
+  float cells_per_m_;
 };
 
 /// The beams of a laser that carry information about the ground, by azimuth sector.

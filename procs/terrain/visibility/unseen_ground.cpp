@@ -30,13 +30,15 @@ float bridged_by_wheel_m(const Vehicle& vehicle) {
   return static_cast<float>(2.0 * std::sqrt(depth * (2.0 * radius - depth)));
 }
 
-/// Lowest z of the ground within kFootM before the last of these beams, which are ordered by slope.
+/// Lowest z of the ground within kFootM before the last of these beams, which are ordered by slope,
+/// moved to its end along the trend of the ground.
 float foot_m(std::span<const BeamEnd> beams) {
   const BeamEnd& crest = beams.back();
   float low = crest.z_m;
   for (auto beam = beams.rbegin(); beam != beams.rend(); ++beam) {
     if (beam->range_m < crest.range_m - kFootM) break;
-    if (beam->kind == Kind::kGround) low = std::min(low, beam->z_m);
+    if (beam->kind != Kind::kGround) continue;
+    low = std::min(low, beam->z_m + crest.grade * (crest.range_m - beam->range_m));
   }
   return low;
 }
@@ -109,10 +111,14 @@ GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
   return {Ground::kObserved, std::lerp(below.z_m, above.z_m, share)};
 }
 
+float SightLines::laser_height_m(const Gap& gap) const {
+  return origin_.z() - (gap.below.z_m - gap.below.grade * gap.below.range_m);
+}
+
 /// Distance up to which two beams that hit even ground may be apart [m].
 float SightLines::spacing_m(const Gap& gap) const {
   const auto& [below, above, foot_m] = gap;
-  const float height = std::max(origin_.z(), kLaserHeightMin);
+  const float height = std::max(laser_height_m(gap), kLaserHeightMin);
   const float spacing = below.range_m * below.range_m * (above.slope - below.slope) / height;
   return std::min(static_cast<float>(params_.gap_of_spacing) * spacing,
                   static_cast<float>(params_.gap_max_m));
@@ -130,11 +136,12 @@ bool SightLines::passes_over(const Gap& gap) const {
 bool SightLines::is_behind_crest(const Gap& gap) const {
   const auto& [below, above, foot_m] = gap;
   const float height = below.z_m - foot_m;
-  const float beam_height = origin_.z() - below.z_m;
+  const float beam_height = laser_height_m(gap);
   if (above.kind != Kind::kGround || height < kCrestMinM || !(beam_height > 0.0F)) return false;
-  if (above.z_m < foot_m - kLevelM) return false;
+  const float gap_m = above.range_m - below.range_m;
+  if (above.z_m < foot_m + below.grade * gap_m - kLevelM) return false;
   const float shadow = below.range_m * height / beam_height;
-  return above.range_m - below.range_m <= shadow + spacing_m(gap) + kEndNoiseM;
+  return gap_m <= shadow + spacing_m(gap) + kEndNoiseM;
 }
 
 namespace {

@@ -40,11 +40,13 @@ class SightLines {
   struct Gap {
     BeamEnd below;
     BeamEnd above;
-    float foot_m = 0.0F;  ///< z of the ground shortly before the end of `below`
+    float foot_m = 0.0F;  ///< z of the ground shortly before the end of `below`, along the trend
   };
 
   void classify_sector(std::span<BeamEnd> beams, std::span<GroundEvidence> out) const;
   [[nodiscard]] GroundEvidence between(const Gap& gap, float range_m) const;
+  /// Height of the laser above the plane of the ground at the end of the lower beam [m].
+  [[nodiscard]] float laser_height_m(const Gap& gap) const;
   [[nodiscard]] float spacing_m(const Gap& gap) const;
   [[nodiscard]] bool passes_over(const Gap& gap) const;
   [[nodiscard]] bool is_behind_crest(const Gap& gap) const;

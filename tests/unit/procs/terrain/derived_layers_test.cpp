@@ -45,6 +45,48 @@ TEST(SlopeAndStep, ARampIsASlopeTwoCellsFromTheEdgeOfTheObservedGround) {
   }
 }
 
+constexpr int kGroundSide = 41;
+
+/// 41 × 41 cells of 0.1 m, all observed.
+TerrainMap ground_map(const std::function<float(float x_m, float y_m)>& low_m) {
+  TerrainMap map;
+  map.cells = {kGroundSide, kGroundSide};
+  for (int row = 0; row < kGroundSide; ++row) {
+    for (int column = 0; column < kGroundSide; ++column) {
+      TerrainCell& cell = map.cells.at({column, row});
+      cell.ground = Ground::kObserved;
+      cell.low_m = low_m(0.1F * static_cast<float>(column), 0.1F * static_cast<float>(row));
+    }
+  }
+  set_slope_and_step(map);
+  return map;
+}
+
+TEST(SlopeAndStep, APlaneHasNoSteps) {
+  for (const float grade : {0.1F, 0.25F, 0.35F}) {
+    for (const float direction : {0.0F, 0.7F, 1.57F, 3.0F}) {
+      const TerrainMap map = ground_map([&](float x_m, float y_m) {
+        return grade * (std::cos(direction) * x_m + std::sin(direction) * y_m);
+      });
+      for (const TerrainCell& cell : map.cells) {
+        EXPECT_LT(cell.step_m, 1e-4) << grade << " towards " << direction;  // single precision
+      }
+    }
+  }
+}
+
+TEST(SlopeAndStep, ALedgeKeepsItsHeight) {
+  for (const float grade : {0.0F, -0.25F, 0.25F}) {
+    const TerrainMap map =
+        ground_map([&](float x_m, float) { return grade * x_m + (x_m > 1.95F ? 0.2F : 0.0F); });
+    for (int row = 0; row < kGroundSide; ++row) {
+      for (const int column : {19, 20}) {
+        EXPECT_NEAR(map.cells.at({column, row}).step_m, 0.2, 1e-4) << grade;  // single precision
+      }
+    }
+  }
+}
+
 }  // namespace
 namespace {
 

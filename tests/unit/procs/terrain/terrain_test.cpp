@@ -146,6 +146,47 @@ TEST(Terrain, MeasuresTheSlopeOfARamp) {
   EXPECT_NEAR(sum / cells, 0.1745, 0.01);  // errors of single cells have both signs
 }
 
+/// A vehicle that stands on a plane which rises ahead of it.
+Cloud cloud_on_slope(double grade, const std::function<void(MeshBuilder&)>& add) {
+  Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
+  T_world_body.rotate(Eigen::AngleAxisd(-std::atan(grade), Eigen::Vector3d::UnitY()));
+  const auto with_slope = [&](MeshBuilder& builder) {
+    const auto corner = [&](float x, float y) {
+      return builder.vertex({x, y, static_cast<float>(grade) * x});
+    };
+    builder.quad(corner(-15, -2), corner(15, -2), corner(15, 2), corner(-15, 2));
+    add(builder);
+  };
+  return cloud_of(with_slope, T_world_body);
+}
+
+/// Where each region has points of several lines.
+const Eigen::AlignedBox2d kNear(Eigen::Vector2d(2.5, -1.4), Eigen::Vector2d(5.5, 1.4));
+
+TEST(Terrain, ASlopeIsNotRough) {
+  for (const double grade : {-0.35, -0.25, 0.15, 0.25, 0.35}) {
+    const TerrainMap map = map_of(cloud_on_slope(grade, [](MeshBuilder&) {}));
+    for_cells(map, kNear, [&](const TerrainCell& cell) {
+      EXPECT_EQ(cell.ground, Ground::kObserved) << grade;
+      EXPECT_LT(cell.coefficient_m, kNoise) << grade;
+      EXPECT_LT(cell.step_m, kNoise) << grade;
+      EXPECT_NEAR(cell.slope_rad, std::atan(std::abs(grade)), 0.04) << grade;  // as on flat ground
+    });
+  }
+}
+
+TEST(Terrain, ARockOnASlopeHasItsHeight) {
+  for (const double grade : {-0.25, 0.25}) {
+    const auto rock = [&](MeshBuilder& builder) {
+      add_rock(builder, {5.0, 0.5, 5.0 * grade + 0.1}, {0.4, 0.4, 0.5});
+    };
+    const TerrainMap map = map_of(cloud_on_slope(grade, rock));
+    // The top is 0.35 m above the ground under its middle; its face, 0.2 m before, 0.05 m less or
+    // more.
+    EXPECT_NEAR(cell_at(map, 4.85, 0.5).coefficient_m, 0.35, 0.05 + 2.0 * kNoise) << grade;
+  }
+}
+
 TEST(Terrain, IsLevelForATiltedVehicle) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.06, Eigen::Vector3d(0.6, 0.8, 0.0)));

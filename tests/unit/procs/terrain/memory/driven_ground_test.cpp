@@ -61,6 +61,28 @@ TEST(DrivenGround, FillsTheTracksOfTheWheelsOnly) {
   }
 }
 
+TEST(DrivenGround, HasTheGradeOfTheGroundAround) {
+  constexpr double kGrade = 0.25;
+  const auto slope = [&](MeshBuilder& builder) {
+    const auto corner = [&](float x, float y) {
+      return builder.vertex({x, y, static_cast<float>(kGrade) * x});
+    };
+    builder.quad(corner(-15, -2), corner(15, -2), corner(15, 2), corner(-15, 2));
+  };
+  for (const bool rear : {false, true}) {
+    ScanningVehicle vehicle({-1.0, 0.0, 0.0});
+    vehicle.drive_to({0.0, 0.0, 0.0});
+    const TerrainMap map = vehicle.scan(slope, rear);
+    for (const double x : {-0.75, 0.75}) {  // the axles
+      for (const double side : {-0.5, 0.5}) {
+        const TerrainCell& track = cell_at(map, x, side);
+        EXPECT_EQ(track.ground, Ground::kObserved) << rear;
+        EXPECT_NEAR(track.low_m, kGrade * x, 0.05) << rear;  // without the grade 0.19
+      }
+    }
+  }
+}
+
 TEST(DrivenGround, RemovesAnObstacleThatTheBodyDroveThrough) {
   const auto rock = [](MeshBuilder& builder) {
     add_tunnel(builder);

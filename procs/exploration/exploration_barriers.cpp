@@ -58,13 +58,13 @@ void Exploration::add_exit_barrier() {
 std::vector<BarrierLine> Exploration::barrier_lines() const {
   std::vector<BarrierLine> barrier_lines;
   for (const Barrier& barrier : barriers_) {
-    const auto T_map_local = known_.pose_of(barrier.local_map);
-    if (!T_map_local) continue;
     const bool passable_where_driven = barrier.kind == Barrier::Kind::kUnconfirmed &&
                                        barrier.frontier == ExplorationDecision::kNoFrontier;
-    barrier_lines.push_back({*T_map_local * barrier.p_local,
-                             *T_map_local * barrier.direction_local - T_map_local->translation(),
-                             passable_where_driven});
+    for (const Pose2& T_map_local : known_.poses_of(barrier.local_map)) {
+      barrier_lines.push_back({T_map_local * barrier.p_local,
+                               T_map_local * barrier.direction_local - T_map_local.translation(),
+                               passable_where_driven});
+    }
   }
   return barrier_lines;
 }
@@ -72,16 +72,16 @@ std::vector<BarrierLine> Exploration::barrier_lines() const {
 std::vector<FrontierRegister::BarrierEvidence> Exploration::barrier_evidence() const {
   std::vector<FrontierRegister::BarrierEvidence> evidence;
   for (const Barrier& barrier : barriers_) {
-    const auto T_map_local = known_.pose_of(barrier.local_map);
-    if (!T_map_local) continue;
-    evidence.push_back(
-        {*T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
+    for (const Pose2& T_map_local : known_.poses_of(barrier.local_map)) {
+      evidence.push_back(
+          {T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
+    }
   }
   return evidence;
 }
 
 std::optional<double> Exploration::path_length_home_m(const ExplorationState& state) const {
-  return from_home_->distance_m(state.T_map_body.translation());
+  return from_home_->distance_m(p_atlas_body(state));
 }
 
 /// A robot behind a barrier has passed it, so that there is a path. Removes the newest barrier
@@ -120,14 +120,15 @@ bool Exploration::report_blocked(int frontier, const BlockedEvidence& evidence) 
   const bool far = on_route && decision_.distance_m > params_.step_m;
   if (!far) register_.block(frontier, evidence.unconfirmed, evidence.reason, evidence.utime);
   if (!on_route) return true;
-  const RoutePoint end = point_along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
-  const std::optional<PosedTile> anchor = known_.tile_at(end.p_map);
+  const RoutePoint end = point_along(route(), std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
+  const Eigen::Vector2d& p_end = route_[end.index];
+  const std::optional<PosedTile> anchor = known_.tile_at(p_end);
   if (!anchor) return true;
   const Pose2 T_local_map = anchor->T_map_local.inverse();
   const std::string where =
       is_returning ? "on the route home" : fmt::format("behind frontier {}", frontier);
   barriers_.push_back({evidence.unconfirmed ? Barrier::Kind::kUnconfirmed : Barrier::Kind::kBlocked,
-                       frontier, anchor->id, T_local_map * end.p_map,
+                       frontier, anchor->id, T_local_map * p_end,
                        T_local_map * end.direction - T_local_map.translation(),
                        fmt::format("{}: {}", where, evidence.reason)});
   refresh();

@@ -66,7 +66,7 @@ std::optional<int> Exploration::choose_id(const ExplorationState& state,
                                           const std::vector<FrontierCandidate>& candidates) const {
   if (params_.mode == "corridor") return straight_ahead(state, candidates);
   if (params_.choice.rule != "tour") {
-    return choose_by_rule(params_.choice.rule, candidates, register_.frontiers(), state.T_map_body,
+    return choose_by_rule(params_.choice.rule, candidates, frontiers(), state.T_map_body,
                           decision_.frontier);
   }
   const Frontier* target = register_.find(decision_.frontier);
@@ -104,7 +104,7 @@ std::optional<int> Exploration::straight_ahead(
   double least = kStraightAheadRad;
   for (const FrontierCandidate& candidate : candidates) {
     const Eigen::Vector2d leg =
-        register_.find(candidate.frontier)->p_map - state.T_map_body.translation();
+        in_map(*register_.find(candidate.frontier)).p_map - state.T_map_body.translation();
     const double off = candidate.path_length_m < 1.0 ? 0.0 : angle_between(leg, ahead);
     if (candidate.path_length_m > kStraightAheadM || off >= least) continue;
     least = off;
@@ -142,8 +142,8 @@ std::vector<FrontierCandidate> Exploration::candidates(const ExplorationState& s
 ExplorationDecision Exploration::to_frontier(const FrontierCandidate& candidate,
                                              const ExplorationState& state,
                                              const ShortestPathTree& here) {
-  const Frontier& frontier = *register_.find(candidate.frontier);
-  route_ = here.path_from(frontier.p_map);
+  route_ = here.path_from(register_.find(candidate.frontier)->p_map);
+  const Frontier frontier = in_map(*register_.find(candidate.frontier));
   std::reverse(route_.begin(), route_.end());
   ExplorationDecision decision;
   decision.frontier = frontier.id;
@@ -160,7 +160,7 @@ ExplorationDecision Exploration::to_frontier(const FrontierCandidate& candidate,
     return decision;
   }
   decision.kind = ExplorationDecision::Kind::kGoTo;
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   decision.reason = fmt::format("to frontier {}, {:.0f} m away", frontier.id, decision.distance_m);
   return decision;
 }
@@ -169,11 +169,11 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, double p
                                          std::string reason) {
   ExplorationDecision decision;
   const Pose2 home = T_map_home();
-  route_ = from_home_->path_from(state.T_map_body.translation());
+  route_ = from_home_->path_from(p_atlas_body(state));
   decision.distance_m = path_length_m;
   decision.complete = incomplete_reasons().empty();
   decision.reason = std::move(reason);
-  if ((state.T_map_body.translation() - home.translation()).norm() <= params_.at_home_m) {
+  if ((p_atlas_body(state) - home.translation()).norm() <= params_.at_home_m) {
     decision.kind = ExplorationDecision::Kind::kDone;
     decision.T_map_goal = state.T_map_body;
     return decision;
@@ -183,7 +183,7 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, double p
     decision.T_map_goal = home;
     return decision;
   }
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   return decision;
 }
 
@@ -219,7 +219,7 @@ std::optional<ExplorationDecision> Exploration::to_next_patrol_place(const Explo
   decision.kind = ExplorationDecision::Kind::kGoTo;
   decision.distance_m = *path_length_m;
   decision.complete = incomplete_reasons().empty();
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   decision.reason =
       fmt::format("patrol to the start of local map {}, {:.0f} m away, visited longest ago",
                   patrol_target_->local_map, decision.distance_m);
@@ -238,14 +238,14 @@ std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spa
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
   std::vector<Eigen::Vector2d> line{state_.T_map_body.translation()};
-  line.insert(line.end(), route_.begin(), route_.end());
-  const Frontier* frontier = register_.find(decision_.frontier);
-  if (frontier != nullptr) {
-    line.push_back(frontier->p_map);
-    if (leads_away(*frontier))
-      line.emplace_back(frontier->p_map + length_m * frontier->direction_map);
+  for (const Eigen::Vector2d& p_atlas : route_) line.push_back(known_.atlas().to_map(p_atlas));
+  if (register_.find(decision_.frontier) != nullptr) {
+    const Frontier frontier = in_map(*register_.find(decision_.frontier));
+    line.push_back(frontier.p_map);
+    if (leads_away(frontier)) line.emplace_back(frontier.p_map + length_m * frontier.direction_map);
   } else {
-    line.push_back(patrol_target_ ? patrol_target_->p_map : T_map_home().translation());
+    line.push_back(patrol_target_ ? known_.atlas().to_map(patrol_target_->p_map)
+                                  : T_map_home().translation());
   }
   return moving_average(resampled(line, length_m, spacing_m), kSmoothedWith);
 }

@@ -49,6 +49,8 @@ struct LocalMapTile {
   std::vector<Eigen::Vector2i> free;  ///< cells traversed by beams, by row, then column
   std::vector<WallCell> walls;
   std::vector<Eigen::Vector2d> path;  ///< p_local of the body, in order of time [m]
+  std::vector<double> path_z_m = {};  ///< heights of `path` above the origin of the local map
+  std::vector<Eigen::Vector3d> footprint = {};  ///< MapFootprint::points, relative to the local map
 
   [[nodiscard]] bool is_free(const Eigen::Vector2i& cell_local) const;
 };

@@ -61,26 +61,6 @@ TEST(Exploration, StaysWithoutAMap) {
   EXPECT_EQ(decision.reason, "there is no map yet");
 }
 
-/// A graph of two local maps that lie above each other, at the pose of the explorer's first one.
-MapGraph graph_of_levels(double apart_m, double sd_m) {
-  MapGraph graph;
-  graph.poses = {{}, {1.0, 0.5, 1.0}};
-  graph.z_m = {0.0, apart_m};
-  graph.z_variance = {0.0, sd_m * sd_m};
-  return graph;
-}
-
-TEST(Exploration, IsIncompleteWhereLevelsLieAboveEachOther) {
-  const auto incomplete_at = [](double apart_m, double sd_m) {
-    Exploration exploration{ExplorationParams{}};
-    EXPECT_TRUE(exploration.update(graph_of_levels(apart_m, sd_m)));
-    return !exploration.incomplete_reasons().empty();
-  };
-  EXPECT_TRUE(incomplete_at(-5.0, 0.1));
-  EXPECT_FALSE(incomplete_at(2.0, 0.1));  // a ramp, not a level
-  EXPECT_FALSE(incomplete_at(5.0, 2.0));  // the heights are too uncertain
-}
-
 TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
@@ -192,7 +172,7 @@ TEST(Exploration, DoesNotChooseABlockedFrontierOrFrontiersBehindIt) {
     EXPECT_NE(explorer.decide().frontier, blocked);
     explorer.drive(5.0);
   }
-  const Frontier& frontier = explorer.exploration.frontiers()[static_cast<std::size_t>(blocked)];
+  const Frontier frontier = explorer.exploration.frontiers()[static_cast<std::size_t>(blocked)];
   EXPECT_EQ(frontier.state, FrontierState::kBlocked);
   EXPECT_EQ(frontier.evidence, "a beam");
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
@@ -405,7 +385,7 @@ TEST_F(DeadEnd, IsNotExploredUntilA3DScanShowsRock) {
   EXPECT_TRUE(explorer_.exploration.memory().verify_walls);
   EXPECT_FALSE(decision.complete);
   ASSERT_NE(decision.frontier, ExplorationDecision::kNoFrontier);
-  const Frontier& frontier =
+  const Frontier frontier =
       explorer_.exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
   EXPECT_GT(frontier.p_map.x(), 34.0);
   scan_3d(explorer_.robot.T_map_body(), kBeyondTheEndM);

@@ -68,7 +68,7 @@ TEST(PathAheadIntoAReturningSideTunnel, DoesNotLeadBackToTheRobot) {
         exploration.decide({robot.utime(), robot.T_map_body(), 2000.0, 0.0, false});
     const auto path = exploration.path_ahead(kLengthM, kSpacingM);
     if (path.size() < 2 || decision.frontier < 0) break;
-    const Frontier& frontier = exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
+    const Frontier frontier = exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
     const Eigen::Vector2d to_frontier = frontier.p_map - p_robot;
     if (to_frontier.norm() > 3.0 && decision.distance_m < kLengthM &&
         to_frontier.dot(frontier.direction_map) < 0.0) {

@@ -104,15 +104,19 @@ DetectedFrontier make_detected_frontier(const DrivableSpace& space,
   double nearest = std::numeric_limits<double>::infinity();
   double low = 0.0;
   double high = 0.0;
+  float clearance_m = 0.0F;
   for (const std::size_t k : cluster) {
     const Eigen::Vector2d p = space.middle(frontier_cells[k].cell);
+    clearance_m = std::max(clearance_m, space.clearance_m[frontier_cells[k].cell]);
     low = std::min(low, across.dot(p - mean));
     high = std::max(high, across.dot(p - mean));
     if ((p - mean).norm() >= nearest) continue;
     nearest = (p - mean).norm();
     detected.p_map = p;
   }
-  detected.width_m = high - low + 2.0 * space.radius_m;
+  // Around a corner or along a wall that is not seen the cells extend farther than the corridor is
+  // wide: no farther than to the walls.
+  detected.width_m = std::min(high - low + 2.0 * space.radius_m, 2.0 * double{clearance_m});
   detected.access = space.access[frontier_cells[cluster.front()].cell];
   return detected;
 }

@@ -40,7 +40,7 @@ struct ExplorationParams {
   std::string mode = "explore";  ///< or "corridor": straight ahead until blocked, then home (paper)
   double step_m = 10.0;          ///< largest path length from the robot to the next goal
   double at_home_m = 0.3;        ///< distance to the start in map that counts as home
-  bool exit_behind_start = true;  ///< the mine lies ahead of the start, its exit behind
+  bool exit_behind_start = true;  ///< open air that is observed behind the start is the exit
   bool patrol = false;            ///< when no frontier is left, patrol instead of returning home
 
   template <class V>
@@ -166,6 +166,10 @@ class Exploration {
   [[nodiscard]] std::optional<ExplorationDecision> to_next_patrol_place(
       const ExplorationState& state, const ShortestPathTree& here);
   [[nodiscard]] ExplorationDecision make_decision(const ExplorationState& state);
+  [[nodiscard]] double climb_m(const std::vector<Eigen::Vector2d>& path) const;
+  [[nodiscard]] FrontierCandidate with_climb(FrontierCandidate candidate,
+                                             const Eigen::Vector2d& p_atlas,
+                                             const ShortestPathTree& here) const;
   [[nodiscard]] bool leads_away(const Frontier& frontier) const;
   [[nodiscard]] Eigen::Vector2d p_atlas_body(const ExplorationState& state) const;
   [[nodiscard]] Frontier in_map(Frontier frontier) const;

@@ -48,6 +48,13 @@ double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(angle_diff(heading_of(a), heading_of(b)));
 }
 
+std::string budget_evidence(const FrontierCandidate& candidate, double remaining_m) {
+  const double climb_m = candidate.climb_m + candidate.return_climb_m;
+  const std::string climb = climb_m > 0.0 ? fmt::format(", with {:.0f} m of climb", climb_m) : "";
+  return fmt::format("it is {:.0f} m away and {:.0f} m from home{}, and {:.0f} m remain",
+                     candidate.path_length_m, candidate.return_length_m, climb, remaining_m);
+}
+
 Pose2 goal_pose(const RoutePoint& point) {
   return {point.p_map.x(), point.p_map.y(), heading_of(point.direction)};
 }
@@ -113,6 +120,35 @@ std::optional<int> Exploration::straight_ahead(
   return best;
 }
 
+/// Sum of the climbs along a path in atlas [m]. Less than 0.3 m at a time is none: so much do the
+/// heights of local maps of level ground vary.
+double Exploration::climb_m(const std::vector<Eigen::Vector2d>& path) const {
+  constexpr double kLeastM = 0.3;
+  constexpr std::size_t kEvery = 25;  // cells: 5 m, as local maps
+  double climb = 0.0;
+  std::optional<double> low;
+  for (std::size_t i = 0; i < path.size(); i += kEvery) {
+    const auto z_m = known_.height_near(path[i]);
+    if (!z_m) return 0.0;
+    if (low && *z_m > *low + kLeastM) {
+      climb += *z_m - *low;
+      low = z_m;
+    }
+    low = std::min(low.value_or(*z_m), *z_m);
+  }
+  return climb;
+}
+
+FrontierCandidate Exploration::with_climb(FrontierCandidate candidate,
+                                          const Eigen::Vector2d& p_atlas,
+                                          const ShortestPathTree& here) const {
+  std::vector<Eigen::Vector2d> there = here.path_from(p_atlas);
+  std::reverse(there.begin(), there.end());
+  candidate.climb_m = climb_m(there);
+  candidate.return_climb_m = climb_m(from_home_->path_from(p_atlas));
+  return candidate;
+}
+
 /// Open frontiers within the budget; marks the others as beyond it.
 std::vector<FrontierCandidate> Exploration::candidates(const ExplorationState& state,
                                                        const ShortestPathTree& here) {
@@ -124,15 +160,13 @@ std::vector<FrontierCandidate> Exploration::candidates(const ExplorationState& s
     const auto leg = here.distance_m(frontier.p_map);
     const auto home = from_home_->distance_m(frontier.p_map);
     if (!leg || !home) continue;
-    const FrontierCandidate candidate{
-        frontier.id, expected_gain_m(frontier, space_, mean_m, state.sd_m, params_.gain), *leg,
-        *home};
+    const FrontierCandidate candidate = with_climb(
+        {frontier.id, expected_gain_m(frontier, space_, mean_m, state.sd_m, params_.gain), *leg,
+         *home},
+        frontier.p_map, here);
     const bool within =
         is_within_budget(candidate, params_.step_m, state.remaining_m, params_.choice);
-    register_.set_within_budget(frontier.id, within,
-                                fmt::format("it is {:.0f} m away and {:.0f} m from home, and "
-                                            "{:.0f} m remain",
-                                            *leg, *home, state.remaining_m),
+    register_.set_within_budget(frontier.id, within, budget_evidence(candidate, state.remaining_m),
                                 state.utime);
     if (within) candidates.push_back(candidate);
   }
@@ -207,7 +241,8 @@ std::optional<ExplorationDecision> Exploration::to_next_patrol_place(const Explo
     const auto leg = here.distance_m(place.p_map);
     const auto home = from_home_->distance_m(place.p_map);
     return !leg || !home ||
-           !is_within_budget({-1, 0.0, *leg, *home}, 0.0, state.remaining_m, params_.choice);
+           !is_within_budget(with_climb({-1, 0.0, *leg, *home}, place.p_map, here), 0.0,
+                             state.remaining_m, params_.choice);
   });
   patrol_target_ = patrol_.next(within);
   if (!patrol_target_) return std::nullopt;

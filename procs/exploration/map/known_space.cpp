@@ -88,7 +88,7 @@ void KnownSpace::pose(const std::vector<Pose2>& T_map_local, const std::vector<d
       continue;
     }
     const auto i = static_cast<std::size_t>(id);
-    entry.z_m = i < z_m.size() ? z_m[i] : 0.0;
+    entry.z_m = i < z_m.size() ? std::optional(z_m[i]) : std::nullopt;
     const bool stays = !moved(entry.T_map_local, T_map_local[i], entry.radius_m);
     if (stays && entry.layers == layers[i]) continue;
     withdraw(entry);
@@ -462,12 +462,41 @@ int KnownSpace::layer_at(const Eigen::Vector2d& p_map, std::optional<double> z_m
     for (std::size_t i = 0; i < entry.tile.path.size(); ++i) {
       const double distance = (entry.tile.path[i] - p_local).norm();
       const double z_path_m = i < entry.tile.path_z_m.size() ? entry.tile.path_z_m[i] : 0.0;
-      if (distance >= nearest || std::abs(entry.z_m + z_path_m - *z_m) > kSameLevelM) continue;
+      if (distance >= nearest || std::abs(entry.z_m.value_or(0.0) + z_path_m - *z_m) > kSameLevelM)
+        continue;
       nearest = distance;
       layer = entry.layers.front();
     }
   }
   return layer;
+}
+
+std::vector<std::pair<int, OpenAir>> KnownSpace::open_air() const {
+  std::vector<std::pair<int, OpenAir>> all;
+  for (const auto& [id, entry] : entries_) {
+    const auto T_map_local = pose_of(id);
+    if (!T_map_local) continue;
+    for (const OpenAir& open : entry.tile.open_air) {
+      all.emplace_back(id, OpenAir{*T_map_local * open.p,
+                                   *T_map_local * open.direction - T_map_local->translation()});
+    }
+  }
+  return all;
+}
+
+std::optional<double> KnownSpace::height_near(const Eigen::Vector2d& p_atlas) const {
+  const int layer = atlas_.layer_of(p_atlas);
+  const Eigen::Vector2d p_map = atlas_.to_map(p_atlas);
+  std::optional<double> height_m;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local || !entry.z_m || !entry.is_in(layer)) continue;
+    const double distance = (entry.T_map_local->translation() - p_map).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    height_m = entry.z_m;
+  }
+  return height_m;
 }
 
 Eigen::Vector2d KnownSpace::in_own_layer(const Eigen::Vector2d& p_atlas) const {

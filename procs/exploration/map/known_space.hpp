@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
@@ -77,8 +78,13 @@ class KnownSpace {
   /// The layer of a body at a place in map, at this height in map if that is known: that of the
   /// tile at about the same height whose path is nearest to it.
   [[nodiscard]] int layer_at(const Eigen::Vector2d& p_map, std::optional<double> z_m) const;
+  /// Height of the ground in map, by the nearest tile of the layer [m]; empty if heights are
+  /// unknown.
+  [[nodiscard]] std::optional<double> height_near(const Eigen::Vector2d& p_atlas) const;
   /// The same place in the layer of the tile that observed it, where it has several.
   [[nodiscard]] Eigen::Vector2d in_own_layer(const Eigen::Vector2d& p_atlas) const;
+  /// Where open air was observed, by the id of the local map.
+  [[nodiscard]] std::vector<std::pair<int, OpenAir>> open_air() const;
   /// Cells that are the same place in several layers, of the box of `cells`.
   [[nodiscard]] SharedCells shared_cells() const;
 
@@ -119,7 +125,7 @@ class KnownSpace {
     LocalMapTile tile;
     std::optional<Pose2> T_map_local;  ///< pose in map at which it has voted,
     std::vector<int> layers;           ///< and the layers, its own first
-    double z_m = 0.0;                  ///< height in map
+    std::optional<double> z_m;         ///< height in map
     double radius_m = 0.0;
 
     [[nodiscard]] bool is_in(int layer) const {

@@ -165,6 +165,25 @@ class Raster {
   std::uint32_t scan_ = 0;
 };
 
+/// The widest opening of a scan; empty if there is none.
+std::optional<OpenAir> open_air_of(const LaserScan& scan, const LaserMount& mount,
+                                   const Pose2& T_local_laser) {
+  constexpr double kLeastRad = 0.5;  // a hall of 25 m at a range of 50 m
+  std::size_t widest = 0;
+  std::size_t end = 0;
+  std::size_t adjacent = 0;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    adjacent = static_cast<double>(scan.ranges_m[i]) >= mount.range_max_m ? adjacent + 1 : 0;
+    if (adjacent <= widest) continue;
+    widest = adjacent;
+    end = i + 1;
+  }
+  if (static_cast<double>(widest) * std::abs(scan.angle_step_rad) < kLeastRad) return std::nullopt;
+  const double middle = static_cast<double>(end) - 0.5 * static_cast<double>(widest + 1);
+  const double angle = scan.angle_min_rad + middle * scan.angle_step_rad + T_local_laser.theta;
+  return OpenAir{T_local_laser.translation(), {std::cos(angle), std::sin(angle)}};
+}
+
 bool is_new_view(const Pose2& T_local_last, const Pose2& T_local_laser,
                  const LocalMapTileParams& params) {
   const Pose2 moved = between(T_local_last, T_local_laser);
@@ -198,6 +217,8 @@ std::optional<LocalMapTile> make_local_map_tile(const LocalMap& map, const Laser
     if (last != last_view.end() && !is_new_view(last->second, T_local_laser, params)) continue;
     last_view[local.channel] = T_local_laser;
     raster.enter(local, *mount, T_local_laser);
+    if (const auto open = open_air_of(local.scan, *mount, T_local_laser))
+      tile.open_air.push_back(*open);
   }
   raster.extract(tile);
   return tile;

@@ -74,6 +74,40 @@ TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
   EXPECT_FALSE(explorer.frontiers(FrontierState::kOutsideMine).empty());
 }
 
+/// The robot starts in the middle of a tunnel of 60 m, closed at both ends.
+TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
+  const auto line = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return test::Segment{a, b};
+  };
+  const auto mine = test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
+                                       line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
+                                      Pose2{});
+  Explorer explorer(mine);
+  explorer.decide();
+  EXPECT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 2U);
+  EXPECT_TRUE(explorer.frontiers(FrontierState::kOutsideMine).empty());
+  Exploration exploration{ExplorationParams{}};
+  const auto run = test::run_exploration(mine, exploration, kPlenty);
+  EXPECT_TRUE(run.complete);
+  EXPECT_TRUE(run.returned);
+  EXPECT_GT(run.distance_travelled_m, 4 * 20.0);  // to where 8 m suffice to see the end, and back
+}
+
+/// The walls of the tunnels have 3 m between them, those of a crossing 4.2 m; both are rough.
+TEST(Exploration, ReportsTheWidthOfTheCorridorAtAFrontier) {
+  constexpr double kWidthM = 3.0;
+  const auto mine = tunnel_mine(rooms_and_pillars(), kWidthM);
+  Explorer explorer(mine);
+  for (int i = 0; i < 40; ++i) {
+    if (explorer.decide().kind == Kind::kDone) break;
+    explorer.drive(5.0);
+    for (const Frontier& frontier : explorer.frontiers(FrontierState::kOpen)) {
+      EXPECT_LT(frontier.width_m, 1.7 * kWidthM) << frontier.id << " at " << i;
+      EXPECT_GT(frontier.width_m, 0.3 * kWidthM) << frontier.id << " at " << i;
+    }
+  }
+}
+
 TEST(Exploration, DetectsTheArmsOfAJunctionAsFrontiers) {
   const auto mine = tunnel_mine(junction());
   Explorer explorer(mine);

@@ -22,6 +22,8 @@ constexpr double kHalfWidthM = 1.5;
 constexpr double kGrade = 0.08;
 constexpr double kTurnM = 2.0 * std::numbers::pi * kRadiusM;  // 75 m, which climb 6 m
 constexpr double kBranchRad = 2.0;                            // on the first turn, to the right
+constexpr double kExitFromRad = 2.0 * std::numbers::pi - 2.0;
+constexpr double kExitToRad = 2.0 * std::numbers::pi - 0.2;
 constexpr double kMapM = 5.0;
 constexpr double kPlenty = 2000.0;
 
@@ -32,8 +34,8 @@ Eigen::Vector2d at_angle(double angle_rad, double radius_m) {
   return {radius_m * std::sin(angle_rad), kRadiusM - radius_m * std::cos(angle_rad)};
 }
 
-/// The walls of one turn in plan; with a branch outwards or without.
-test::WallWorld turn_of_ramp(bool with_branch) {
+/// The walls of one turn in plan; the first one has a branch outwards.
+test::WallWorld turn_of_ramp(bool is_first) {
   constexpr int kSteps = 120;
   constexpr double kStep = 2.0 * std::numbers::pi / kSteps;
   const double outer_m = kRadiusM + kHalfWidthM;
@@ -42,11 +44,13 @@ test::WallWorld turn_of_ramp(bool with_branch) {
     const double from = i * kStep;
     const double middle = from + kStep / 2.0;
     const double inner_m = kRadiusM - kHalfWidthM;
+    // Behind the start of the first turn is the exit: open air.
+    if (is_first && middle > kExitFromRad && middle < kExitToRad) continue;
     walls.push_back({at_angle(from, inner_m), at_angle(from + kStep, inner_m)});
-    if (with_branch && std::abs(middle - kBranchRad) * outer_m < kHalfWidthM) continue;
+    if (is_first && std::abs(middle - kBranchRad) * outer_m < kHalfWidthM) continue;
     walls.push_back({at_angle(from, outer_m), at_angle(from + kStep, outer_m)});
   }
-  if (!with_branch) return test::WallWorld(walls);
+  if (!is_first) return test::WallWorld(walls);
   for (const double side : {-kHalfWidthM, kHalfWidthM}) {
     const double angle = kBranchRad + side / outer_m;
     const Eigen::Vector2d begin = at_angle(angle, outer_m);
@@ -57,10 +61,10 @@ test::WallWorld turn_of_ramp(bool with_branch) {
   return test::WallWorld(walls);
 }
 
-/// A robot that drives up the ramp.
+/// A robot that drives along the ramp, up or down.
 class SpiralRamp {
  public:
-  explicit SpiralRamp(double length_m) {
+  explicit SpiralRamp(double length_m, double grade = kGrade) : grade_(grade) {
     for (double s_m = 0.0; s_m + kMapM <= length_m + 1e-9; s_m += kMapM) add_map(s_m);
     length_m_ = kMapM * static_cast<double>(maps.size());
   }
@@ -72,7 +76,7 @@ class SpiralRamp {
       const double s_m = kMapM * static_cast<double>(i);
       graph.poses.push_back(on_ramp(s_m));
       if (!with_heights) continue;
-      graph.z_m.push_back(kGrade * s_m);
+      graph.z_m.push_back(grade_ * s_m);
       graph.z_variance.push_back(std::pow(0.002 * s_m, 2));
     }
     return graph;
@@ -88,7 +92,7 @@ class SpiralRamp {
   }
   [[nodiscard]] ExplorationState state(bool returning_home, bool with_heights = true) const {
     ExplorationState state{maps.back().end_utime, on_ramp(length_m_), kPlenty, 0.0, returning_home};
-    if (with_heights) state.z_m = kGrade * length_m_;
+    if (with_heights) state.z_m = grade_ * length_m_;
     return state;
   }
   [[nodiscard]] double length_m() const { return length_m_; }
@@ -106,13 +110,13 @@ class SpiralRamp {
       if (map.scans.empty()) map.utime = utime;
       map.end_utime = utime;
       const Pose2 T_local_body = between(on_ramp(from_m), on_ramp(s_m));
-      const test::WallWorld& walls = s_m < 0.8 * kTurnM ? first_ : second_;
+      const test::WallWorld& walls = s_m < 0.5 * kTurnM ? first_ : second_;
       const Lasers lasers;
       for (const auto& [channel, mount] :
            {std::pair("LASER_FRONT", lasers.front), std::pair("LASER_REAR", lasers.rear)}) {
         map.scans.push_back(
             {channel, test::exact_scan(walls, on_ramp(s_m) * mount.T_body_laser, utime, 30.0),
-             T_local_body, kGrade * (s_m - from_m), Attitude{0.0, -std::atan(kGrade)}});
+             T_local_body, grade_ * (s_m - from_m), Attitude{0.0, -std::atan(grade_)}});
       }
     }
     maps.push_back(map);
@@ -120,6 +124,7 @@ class SpiralRamp {
 
   test::WallWorld first_ = turn_of_ramp(true);
   test::WallWorld second_ = turn_of_ramp(false);
+  double grade_;
   double length_m_ = 0.0;
 };
 
@@ -208,6 +213,30 @@ TEST(Levels, ABarrierClosesOneLevelOnly) {
   EXPECT_TRUE(is_at_branch(exploration.frontiers()[static_cast<std::size_t>(branch.frontier)]));
   const double along_m = ramp.length_m() - kBranchRad * kRadiusM;
   EXPECT_NEAR(branch.distance_m, along_m + 7.0, 0.15 * along_m);
+}
+
+/// Whether the budget allows the branch, from 78 m farther along the ramp.
+bool is_branch_within_budget(double grade, double remaining_m) {
+  const SpiralRamp ramp(1.35 * kTurnM, grade);
+  ExplorationState state = ramp.state(false);
+  state.remaining_m = remaining_m;
+  Exploration exploration = ramp.exploration();
+  exploration.decide(state);
+  return std::ranges::count_if(open_frontiers(exploration), is_at_branch) == 1;
+}
+
+/// On a ramp that leads up, the way to the branch and the way home lead down and cost no climb; on
+/// one that leads down, they climb 6 m and 2 m, of which the latter counts 1.5 times.
+TEST(Levels, TheBudgetCountsTheClimb) {
+  const double along_m = kMapM * std::floor(1.35 * kTurnM / kMapM) - kBranchRad * kRadiusM;
+  const double level_m =  // 10 m beyond the branch, and a reserve of 20 m
+      along_m + 7.0 + 10.0 + 1.5 * (kBranchRad * kRadiusM + 7.0 + 10.0) + 20.0;
+  const double climb_m = FrontierChoiceParams{}.climb_factor *
+                         (kGrade * along_m + 1.5 * kGrade * kBranchRad * kRadiusM);
+  constexpr double kPathsM = 15.0;  // by which paths on the grid may differ from this
+  EXPECT_TRUE(is_branch_within_budget(kGrade, level_m + kPathsM));
+  EXPECT_FALSE(is_branch_within_budget(-kGrade, level_m + kPathsM));
+  EXPECT_TRUE(is_branch_within_budget(-kGrade, level_m + climb_m + kPathsM));
 }
 
 TEST(Levels, AreTheSameAfterARestart) {

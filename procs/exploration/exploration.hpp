@@ -130,7 +130,8 @@ class Exploration {
   /// Route from where the last decision was made to its target, in map; empty if there is none.
   [[nodiscard]] std::vector<Eigen::Vector2d> route() const { return in_map(route_); }
   /// The next `length_m` of the path in map, as points `spacing_m` apart: along the route, and from
-  /// a frontier at its end straight ahead, unless that leads back. Empty if there is no target.
+  /// a frontier at its end straight ahead through unseen and drivable space, unless that leads
+  /// back. Empty if there is no target.
   [[nodiscard]] std::vector<Eigen::Vector2d> path_ahead(double length_m, double spacing_m) const;
   /// Frontiers that are not closed, with the reason, one sentence each. Empty if the mine is
   /// explored.
@@ -166,6 +167,8 @@ class Exploration {
   [[nodiscard]] std::optional<ExplorationDecision> to_next_patrol_place(
       const ExplorationState& state, const ShortestPathTree& here);
   [[nodiscard]] ExplorationDecision make_decision(const ExplorationState& state);
+  [[nodiscard]] bool fits_as_far_as_known(const Eigen::Vector2d& p_atlas) const;
+  [[nodiscard]] double straight_on_m(const Frontier& frontier, double length_m) const;
   [[nodiscard]] double climb_m(const std::vector<Eigen::Vector2d>& path) const;
   [[nodiscard]] FrontierCandidate with_climb(FrontierCandidate candidate,
                                              const Eigen::Vector2d& p_atlas,

@@ -269,6 +269,23 @@ bool Exploration::leads_away(const Frontier& frontier) const {
   return leg.norm() < kAtFrontierM || leg.dot(frontier.direction_map) >= 0.0;
 }
 
+/// Whether the vehicle fits there, or nothing is known about the place.
+bool Exploration::fits_as_far_as_known(const Eigen::Vector2d& p_atlas) const {
+  const Eigen::Vector2i cell = space_.cell_at(p_atlas);
+  return space_.known.get(cell, Occupancy::kUnseen) == Occupancy::kUnseen ||
+         space_.access.get(cell) != Access::kNone;
+}
+
+/// Distance beyond a frontier in atlas, up to `length_m`, before it would lead into known rock.
+double Exploration::straight_on_m(const Frontier& frontier, double length_m) const {
+  double free_m = 0.0;
+  while (free_m < length_m && fits_as_far_as_known(frontier.p_map + (free_m + space_.resolution_m) *
+                                                                        frontier.direction_map)) {
+    free_m += space_.resolution_m;
+  }
+  return std::min(free_m, length_m);
+}
+
 std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spacing_m) const {
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
@@ -277,12 +294,25 @@ std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spa
   if (register_.find(decision_.frontier) != nullptr) {
     const Frontier frontier = in_map(*register_.find(decision_.frontier));
     line.push_back(frontier.p_map);
-    if (leads_away(frontier)) line.emplace_back(frontier.p_map + length_m * frontier.direction_map);
+    const double on_m = straight_on_m(*register_.find(decision_.frontier), length_m);
+    if (leads_away(frontier)) line.emplace_back(frontier.p_map + on_m * frontier.direction_map);
   } else {
     line.push_back(patrol_target_ ? known_.atlas().to_map(patrol_target_->p_map)
                                   : T_map_home().translation());
   }
-  return moving_average(resampled(line, length_m, spacing_m), kSmoothedWith);
+  const std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
+  const auto fits = [&](const Eigen::Vector2d& p_map) {
+    for (int layer = 0; layer < known_.atlas().layers(); ++layer) {
+      if (fits_as_far_as_known(known_.atlas().to_atlas(p_map, layer))) return true;
+    }
+    return false;
+  };
+  // Less smooth where that would cut a corner.
+  for (int reach = kSmoothedWith; reach > 0; --reach) {
+    std::vector<Eigen::Vector2d> path = moving_average(points, reach);
+    if (std::ranges::all_of(path, fits)) return path;
+  }
+  return points;
 }
 
 }  // namespace adit

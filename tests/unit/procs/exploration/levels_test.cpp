@@ -225,8 +225,8 @@ bool is_branch_within_budget(double grade, double remaining_m) {
   return std::ranges::count_if(open_frontiers(exploration), is_at_branch) == 1;
 }
 
-/// On a ramp that leads up, the way to the branch and the way home lead down and cost no climb; on
-/// one that leads down, they climb 6 m and 2 m, of which the latter counts 1.5 times.
+/// On a ramp that leads up, the path to the branch and the path home lead down and cost no climb;
+/// on one that leads down, they climb 6 m and 2 m, of which the latter counts 1.5 times.
 TEST(Levels, TheBudgetCountsTheClimb) {
   const double along_m = kMapM * std::floor(1.35 * kTurnM / kMapM) - kBranchRad * kRadiusM;
   const double level_m =  // 10 m beyond the branch, and a reserve of 20 m

@@ -107,7 +107,7 @@ TEST(FrontierChoice, NeverSpendsTheBudgetForThePathHome) {
   EXPECT_FALSE(is_within_budget(candidate, 10.0, 164.9, params));
 }
 
-TEST(FrontierChoice, CountsTheClimbOfTheWayHome) {
+TEST(FrontierChoice, CountsTheClimbOfThePathHome) {
   FrontierCandidate candidate{0, 10.0, 30.0, 60.0};
   candidate.climb_m = 1.0;
   candidate.return_climb_m = 6.0;

@@ -300,7 +300,7 @@ std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spa
     line.push_back(patrol_target_ ? known_.atlas().to_map(patrol_target_->p_map)
                                   : T_map_home().translation());
   }
-  const std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
+  std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
   const auto fits = [&](const Eigen::Vector2d& p_map) {
     for (int layer = 0; layer < known_.atlas().layers(); ++layer) {
       if (fits_as_far_as_known(known_.atlas().to_atlas(p_map, layer))) return true;

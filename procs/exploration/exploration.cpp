@@ -22,33 +22,6 @@ std::string incomplete_reason(const Frontier& frontier) {
                      frontier.evidence);
 }
 
-/// The known space is planar: where levels lie above each other, their frontiers cannot be told
-/// apart. Empty if no two local maps are near each other in plan and a level apart in height.
-std::string overlapping_levels(const MapGraph& graph) {
-  constexpr double kAboveEachOtherM = 4.0;
-  constexpr double kLevelM = 3.0;
-  constexpr double kSigmas = 3.0;
-  if (graph.z_m.size() != graph.poses.size() || graph.z_variance.size() != graph.poses.size())
-    return {};
-  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const double apart_m = std::abs(graph.z_m[i] - graph.z_m[k]);
-      if (apart_m < kLevelM) continue;
-      const Pose2& a = graph.poses[i];
-      const Pose2& b = graph.poses[k];
-      if (std::hypot(a.x - b.x, a.y - b.y) > kAboveEachOtherM) continue;
-      const double sd_m = std::sqrt(graph.z_variance[i] + graph.z_variance[k]);
-      if (apart_m < kLevelM + kSigmas * sd_m) continue;
-      return fmt::format(
-          "levels lie above each other at local maps {} and {}, {:.1f} m apart in height: "
-          "frontiers "
-          "there cannot be told apart",
-          k, i, apart_m);
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 Exploration::Exploration(const ExplorationParams& params)
@@ -63,11 +36,15 @@ bool Exploration::add(const LocalMap& map) {
   return true;
 }
 
-const ScannedGround* Exploration::add(const TerrainMap& terrain, const Pose2& T_map_level) {
-  auto anchor = known_.tile_at(T_map_level.translation());
+const ScannedGround* Exploration::add(const TerrainMap& terrain, const Pose2& T_map_level,
+                                      std::optional<double> z_m) {
+  const int layer = known_.layer_at(T_map_level.translation(), z_m);
+  const Eigen::Vector2d p = known_.atlas().to_atlas(T_map_level.translation(), layer);
+  const Pose2 T_atlas_level{p.x(), p.y(), T_map_level.theta};
+  auto anchor = known_.tile_at(p);
   if (!anchor) anchor = known_.newest();
   if (!anchor) return nullptr;
-  known_.add({anchor->id, between(anchor->T_map_local, T_map_level),
+  known_.add({anchor->id, between(anchor->T_map_local, T_atlas_level),
               scanned_cells(terrain, known_.resolution_m(), params_.vehicle.height_m)});
   refresh();
   return &known_.scanned_ground().back();
@@ -77,8 +54,7 @@ bool Exploration::update(const MapGraph& graph) {
   const bool valid = std::all_of(graph.poses.begin(), graph.poses.end(),
                                  [](const Pose2& pose) { return pose.vector().allFinite(); });
   if (!valid) return false;
-  known_.pose(graph.poses);
-  overlapping_levels_ = overlapping_levels(graph);
+  known_.pose(graph.poses, graph.z_m, graph.z_variance);
   revision_ = graph.revision;
   utime_ = std::max(utime_, graph.utime);
   if (!known_.newest()) return true;
@@ -91,14 +67,20 @@ bool Exploration::update(const MapGraph& graph) {
 void Exploration::refresh() {
   const Walls walls = verify_walls_ ? Walls::kConfirmed : Walls::kAll;
   space_ = drivable_space(known_.cells(walls), known_.resolution_m(), params_.vehicle.width_m,
-                          barrier_lines(), T_map_home().translation(), params_.drivable);
+                          barrier_lines(), T_map_home().translation(), params_.drivable,
+                          known_.shared_cells());
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
   for (DetectedFrontier& detected : detected_frontiers_) {
+    detected.p_map = known_.in_own_layer(detected.p_map);
     if (leads_out(detected)) detected.access = Access::kBehindBarrier;
     detected.at_dismissed_wall = known_.dismisses_wall_near(detected.p_map, walls);
   }
   register_.update(detected_frontiers_, known_, barrier_evidence(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), detected_frontiers_, params_.corridors);
+  for (CorridorNode& node : corridors_.nodes) node.p_map = known_.atlas().to_map(node.p_map);
+  for (Corridor& corridor : corridors_.corridors) {
+    corridor.points = in_map(std::move(corridor.points));
+  }
   from_home_.emplace(space_, T_map_home().translation(), PathPreference::kDriven);
 }
 
@@ -139,8 +121,8 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
     stay.reason = "no known path leads from here to the start";
     return stay;
   }
-  const ShortestPathTree here(space_, state.T_map_body.translation(), PathPreference::kAnyDrivable);
-  patrol_.pass(patrol_places(), state.T_map_body.translation(), state.utime);
+  const ShortestPathTree here(space_, p_atlas_body(state), PathPreference::kAnyDrivable);
+  patrol_.pass(patrol_places(), p_atlas_body(state), state.utime);
   update_pursuit(state, here);
   const auto within_budget = candidates(state, here);
   if (state.returning_home) return to_home(state, *home_m, "the mission returns home");
@@ -165,7 +147,6 @@ bool Exploration::verify_walls() {
 
 std::vector<std::string> Exploration::incomplete_reasons() const {
   std::vector<std::string> reasons;
-  if (!overlapping_levels_.empty()) reasons.push_back(overlapping_levels_);
   for (const Frontier& frontier : register_.frontiers()) {
     if (is_closed(frontier.state)) continue;
     reasons.push_back(incomplete_reason(frontier));
@@ -201,9 +182,30 @@ ExplorationReport Exploration::report() const {
   report.decision = decision_;
   report.budget.remaining_m = state_.remaining_m;
   report.budget.explored_m = corridors_.length_m();
-  report.frontiers = register_.frontiers();
+  report.frontiers = frontiers();
   report.corridors = corridors_;
   return report;
+}
+
+Eigen::Vector2d Exploration::p_atlas_body(const ExplorationState& state) const {
+  const Eigen::Vector2d p_map = state.T_map_body.translation();
+  return known_.atlas().to_atlas(p_map, known_.layer_at(p_map, state.z_m));
+}
+
+Frontier Exploration::in_map(Frontier frontier) const {
+  frontier.p_map = known_.atlas().to_map(frontier.p_map);
+  return frontier;
+}
+
+std::vector<Eigen::Vector2d> Exploration::in_map(std::vector<Eigen::Vector2d> points) const {
+  for (Eigen::Vector2d& p : points) p = known_.atlas().to_map(p);
+  return points;
+}
+
+std::vector<Frontier> Exploration::frontiers() const {
+  std::vector<Frontier> frontiers = register_.frontiers();
+  for (Frontier& frontier : frontiers) frontier = in_map(std::move(frontier));
+  return frontiers;
 }
 
 }  // namespace adit

@@ -40,7 +40,7 @@ struct ExplorationParams {
   std::string mode = "explore";  ///< or "corridor": straight ahead until blocked, then home (paper)
   double step_m = 10.0;          ///< largest path length from the robot to the next goal
   double at_home_m = 0.3;        ///< distance to the start in map that counts as home
-  bool exit_behind_start = true;  ///< the mine lies ahead of the start, its exit behind
+  bool exit_behind_start = true;  ///< open air that is observed behind the start is the exit
   bool patrol = false;            ///< when no frontier is left, patrol instead of returning home
 
   template <class V>
@@ -65,9 +65,10 @@ struct ExplorationParams {
 struct ExplorationState {
   std::int64_t utime = 0;
   Pose2 T_map_body;
-  double remaining_m = 0.0;     ///< path length that battery and time still allow
-  double sd_m = 0.0;            ///< standard deviation of the position in map; 0 if unknown
-  bool returning_home = false;  ///< the request is for the path home only
+  double remaining_m = 0.0;        ///< path length that battery and time still allow
+  double sd_m = 0.0;               ///< standard deviation of the position in map; 0 if unknown
+  bool returning_home = false;     ///< the request is for the path home only
+  std::optional<double> z_m = {};  ///< height of the body in map; nothing if unknown
 };
 
 /// Result of a planner that found no path.
@@ -80,7 +81,8 @@ struct BlockedEvidence {
 
 /// Selects the next goal of frontier-based exploration (paper, section 3.3, and what it leaves
 /// open). Weighs the expected gain of each frontier of the map against the path to it, under a hard
-/// budget that always includes the path home.
+/// budget that always includes the path home. Levels above each other are explored in layers of
+/// their own: inside, positions are in atlas (KnownSpace); all that the class returns is in map.
 class Exploration {
  public:
   explicit Exploration(const ExplorationParams& params);
@@ -89,9 +91,10 @@ class Exploration {
   /// is then ignored.
   bool add(const LocalMap& map);
 
-  /// Adds what a 3D scan observed, at a pose in map. Returns what was added, to be stored; null if
-  /// there is no local map with a pose yet.
-  const ScannedGround* add(const TerrainMap& terrain, const Pose2& T_map_level);
+  /// Adds what a 3D scan observed, at a pose and a height in map, where that is known. Returns what
+  /// was added, to be stored; null if there is no local map with a pose yet.
+  const ScannedGround* add(const TerrainMap& terrain, const Pose2& T_map_level,
+                           std::optional<double> z_m = {});
 
   /// Sets the poses of all local maps. Returns false if a pose is not finite; the graph is then
   /// ignored.
@@ -119,16 +122,18 @@ class Exploration {
   void restore(std::vector<ScannedGround> grounds);
 
   [[nodiscard]] ExplorationReport report() const;
-  [[nodiscard]] const std::vector<Frontier>& frontiers() const { return register_.frontiers(); }
+  [[nodiscard]] std::vector<Frontier> frontiers() const;
+  /// Cut where layers meet (separate_layers).
   [[nodiscard]] const CorridorGraph& corridors() const { return corridors_; }
+  /// In atlas.
   [[nodiscard]] const DrivableSpace& space() const { return space_; }
   /// Route from where the last decision was made to its target, in map; empty if there is none.
-  [[nodiscard]] const std::vector<Eigen::Vector2d>& route() const { return route_; }
+  [[nodiscard]] std::vector<Eigen::Vector2d> route() const { return in_map(route_); }
   /// The next `length_m` of the path in map, as points `spacing_m` apart: along the route, and from
-  /// a frontier at its end straight ahead, unless that leads back. Empty if there is no target.
+  /// a frontier at its end straight ahead through unseen and drivable space, unless that leads
+  /// back. Empty if there is no target.
   [[nodiscard]] std::vector<Eigen::Vector2d> path_ahead(double length_m, double spacing_m) const;
-  /// Frontiers that are not closed, with the reason, one sentence each, and where levels overlap in
-  /// plan, which leaves the exploration uncertain. Empty if the mine is
+  /// Frontiers that are not closed, with the reason, one sentence each. Empty if the mine is
   /// explored.
   [[nodiscard]] std::vector<std::string> incomplete_reasons() const;
 
@@ -162,7 +167,16 @@ class Exploration {
   [[nodiscard]] std::optional<ExplorationDecision> to_next_patrol_place(
       const ExplorationState& state, const ShortestPathTree& here);
   [[nodiscard]] ExplorationDecision make_decision(const ExplorationState& state);
+  [[nodiscard]] bool fits_as_far_as_known(const Eigen::Vector2d& p_atlas) const;
+  [[nodiscard]] double straight_on_m(const Frontier& frontier, double length_m) const;
+  [[nodiscard]] double climb_m(const std::vector<Eigen::Vector2d>& path) const;
+  [[nodiscard]] FrontierCandidate with_climb(FrontierCandidate candidate,
+                                             const Eigen::Vector2d& p_atlas,
+                                             const ShortestPathTree& here) const;
   [[nodiscard]] bool leads_away(const Frontier& frontier) const;
+  [[nodiscard]] Eigen::Vector2d p_atlas_body(const ExplorationState& state) const;
+  [[nodiscard]] Frontier in_map(Frontier frontier) const;
+  [[nodiscard]] std::vector<Eigen::Vector2d> in_map(std::vector<Eigen::Vector2d> points) const;
   [[nodiscard]] Pose2 T_map_home() const;
 
   ExplorationParams params_;
@@ -178,11 +192,10 @@ class Exploration {
   int pursuit_local_map_ = -1;  ///< newest local map at the last update of the pursuit
   ExplorationState state_;
   ExplorationDecision decision_;
-  std::vector<Eigen::Vector2d> route_;
-  bool returning_ = false;  ///< permanently; in the mode corridor
+  std::vector<Eigen::Vector2d> route_;  ///< in atlas
+  bool returning_ = false;              ///< permanently; in the mode corridor
   /// Every frontier was closed once: from then on walls that may be ground close none.
   bool verify_walls_ = false;
-  std::string overlapping_levels_;  ///< where levels overlap in plan, a sentence; empty: nowhere
   Patrol patrol_;
   std::optional<PatrolPlace> patrol_target_;  ///< of the last decision, if that is on patrol
 };

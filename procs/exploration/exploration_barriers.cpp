@@ -31,11 +31,13 @@ FrontierState state_behind(Barrier::Kind barrier) {
   return FrontierState::kBlocked;
 }
 
+bool is_exit(const Barrier& barrier) { return barrier.kind == Barrier::Kind::kOutsideMine; }
+
 }  // namespace
 
 /// Open air returns no beams, so that the known space may end before the barrier at the exit does.
 bool Exploration::leads_out(const DetectedFrontier& detected) const {
-  if (!params_.exit_behind_start) return false;
+  if (std::ranges::none_of(barriers_, is_exit)) return false;
   const Pose2 T_home_map = T_map_home().inverse();
   const Eigen::Vector2d p_home = T_home_map * detected.p_map;
   const Eigen::Vector2d direction = T_home_map * detected.direction_map - T_home_map.translation();
@@ -43,28 +45,39 @@ bool Exploration::leads_out(const DetectedFrontier& detected) const {
          direction.x() < kOutwards;
 }
 
+/// A robot that starts in mid-corridor has the mine behind it as well: only open air is an exit.
+/// The barrier is behind the robot when that saw it from the start, otherwise in front of it.
 void Exploration::add_exit_barrier() {
-  if (!params_.exit_behind_start || !barriers_.empty() || !known_.pose_of(0)) return;
-  const double behind = params_.vehicle.length_m / 2.0 + kBehindStartM;
-  barriers_.push_back({Barrier::Kind::kOutsideMine,
-                       -1,
-                       0,
-                       {-behind, 0.0},
-                       {-1.0, 0.0},
-                       "behind the start: the exit of the mine"});
+  if (!params_.exit_behind_start || std::ranges::any_of(barriers_, is_exit) || !known_.pose_of(0))
+    return;
+  const Pose2 T_home_map = T_map_home().inverse();
+  const double clear_m = params_.vehicle.length_m / 2.0 + kBehindStartM;
+  for (const auto& [local_map, open] : known_.open_air()) {
+    const Eigen::Vector2d p_home = T_home_map * open.p;
+    const Eigen::Vector2d direction = T_home_map * open.direction - T_home_map.translation();
+    if (p_home.norm() > kExitRadiusM || direction.x() > kOutwards) continue;
+    const double x = std::min(-clear_m, p_home.x() < -clear_m ? p_home.x() - clear_m : 0.0);
+    barriers_.push_back({Barrier::Kind::kOutsideMine,
+                         -1,
+                         0,
+                         {x, 0.0},
+                         {-1.0, 0.0},
+                         "behind the start: open air, the exit of the mine"});
+    return;
+  }
 }
 
 /// An unconfirmed obstacle on the route home does not close ground that has carried the robot.
 std::vector<BarrierLine> Exploration::barrier_lines() const {
   std::vector<BarrierLine> barrier_lines;
   for (const Barrier& barrier : barriers_) {
-    const auto T_map_local = known_.pose_of(barrier.local_map);
-    if (!T_map_local) continue;
     const bool passable_where_driven = barrier.kind == Barrier::Kind::kUnconfirmed &&
                                        barrier.frontier == ExplorationDecision::kNoFrontier;
-    barrier_lines.push_back({*T_map_local * barrier.p_local,
-                             *T_map_local * barrier.direction_local - T_map_local->translation(),
-                             passable_where_driven});
+    for (const Pose2& T_map_local : known_.poses_of(barrier.local_map)) {
+      barrier_lines.push_back({T_map_local * barrier.p_local,
+                               T_map_local * barrier.direction_local - T_map_local.translation(),
+                               passable_where_driven});
+    }
   }
   return barrier_lines;
 }
@@ -72,16 +85,16 @@ std::vector<BarrierLine> Exploration::barrier_lines() const {
 std::vector<FrontierRegister::BarrierEvidence> Exploration::barrier_evidence() const {
   std::vector<FrontierRegister::BarrierEvidence> evidence;
   for (const Barrier& barrier : barriers_) {
-    const auto T_map_local = known_.pose_of(barrier.local_map);
-    if (!T_map_local) continue;
-    evidence.push_back(
-        {*T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
+    for (const Pose2& T_map_local : known_.poses_of(barrier.local_map)) {
+      evidence.push_back(
+          {T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
+    }
   }
   return evidence;
 }
 
 std::optional<double> Exploration::path_length_home_m(const ExplorationState& state) const {
-  return from_home_->distance_m(state.T_map_body.translation());
+  return from_home_->distance_m(p_atlas_body(state));
 }
 
 /// A robot behind a barrier has passed it, so that there is a path. Removes the newest barrier
@@ -89,7 +102,6 @@ std::optional<double> Exploration::path_length_home_m(const ExplorationState& st
 /// is another one, and all barriers stay.
 void Exploration::drop_passed_barriers(const ExplorationState& state) {
   const std::vector<Barrier> all = barriers_;
-  const auto is_exit = [](const Barrier& b) { return b.kind == Barrier::Kind::kOutsideMine; };
   if (std::all_of(all.begin(), all.end(), is_exit)) return;
   for (std::size_t i = all.size(); i-- > 0 && !path_length_home_m(state);) {
     if (is_exit(all[i])) continue;
@@ -120,14 +132,15 @@ bool Exploration::report_blocked(int frontier, const BlockedEvidence& evidence) 
   const bool far = on_route && decision_.distance_m > params_.step_m;
   if (!far) register_.block(frontier, evidence.unconfirmed, evidence.reason, evidence.utime);
   if (!on_route) return true;
-  const RoutePoint end = point_along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
-  const std::optional<PosedTile> anchor = known_.tile_at(end.p_map);
+  const RoutePoint end = point_along(route(), std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
+  const Eigen::Vector2d& p_end = route_[end.index];
+  const std::optional<PosedTile> anchor = known_.tile_at(p_end);
   if (!anchor) return true;
   const Pose2 T_local_map = anchor->T_map_local.inverse();
   const std::string where =
       is_returning ? "on the route home" : fmt::format("behind frontier {}", frontier);
   barriers_.push_back({evidence.unconfirmed ? Barrier::Kind::kUnconfirmed : Barrier::Kind::kBlocked,
-                       frontier, anchor->id, T_local_map * end.p_map,
+                       frontier, anchor->id, T_local_map * p_end,
                        T_local_map * end.direction - T_local_map.translation(),
                        fmt::format("{}: {}", where, evidence.reason)});
   refresh();

@@ -48,6 +48,13 @@ double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(angle_diff(heading_of(a), heading_of(b)));
 }
 
+std::string budget_evidence(const FrontierCandidate& candidate, double remaining_m) {
+  const double climb_m = candidate.climb_m + candidate.return_climb_m;
+  const std::string climb = climb_m > 0.0 ? fmt::format(", with {:.0f} m of climb", climb_m) : "";
+  return fmt::format("it is {:.0f} m away and {:.0f} m from home{}, and {:.0f} m remain",
+                     candidate.path_length_m, candidate.return_length_m, climb, remaining_m);
+}
+
 Pose2 goal_pose(const RoutePoint& point) {
   return {point.p_map.x(), point.p_map.y(), heading_of(point.direction)};
 }
@@ -66,7 +73,7 @@ std::optional<int> Exploration::choose_id(const ExplorationState& state,
                                           const std::vector<FrontierCandidate>& candidates) const {
   if (params_.mode == "corridor") return straight_ahead(state, candidates);
   if (params_.choice.rule != "tour") {
-    return choose_by_rule(params_.choice.rule, candidates, register_.frontiers(), state.T_map_body,
+    return choose_by_rule(params_.choice.rule, candidates, frontiers(), state.T_map_body,
                           decision_.frontier);
   }
   const Frontier* target = register_.find(decision_.frontier);
@@ -104,13 +111,42 @@ std::optional<int> Exploration::straight_ahead(
   double least = kStraightAheadRad;
   for (const FrontierCandidate& candidate : candidates) {
     const Eigen::Vector2d leg =
-        register_.find(candidate.frontier)->p_map - state.T_map_body.translation();
+        in_map(*register_.find(candidate.frontier)).p_map - state.T_map_body.translation();
     const double off = candidate.path_length_m < 1.0 ? 0.0 : angle_between(leg, ahead);
     if (candidate.path_length_m > kStraightAheadM || off >= least) continue;
     least = off;
     best = candidate.frontier;
   }
   return best;
+}
+
+/// Sum of the climbs along a path in atlas [m]. Less than 0.3 m at a time is none: so much do the
+/// heights of local maps of level ground vary.
+double Exploration::climb_m(const std::vector<Eigen::Vector2d>& path) const {
+  constexpr double kLeastM = 0.3;
+  constexpr std::size_t kEvery = 25;  // cells: 5 m, as local maps
+  double climb = 0.0;
+  std::optional<double> low;
+  for (std::size_t i = 0; i < path.size(); i += kEvery) {
+    const auto z_m = known_.height_near(path[i]);
+    if (!z_m) return 0.0;
+    if (low && *z_m > *low + kLeastM) {
+      climb += *z_m - *low;
+      low = z_m;
+    }
+    low = std::min(low.value_or(*z_m), *z_m);
+  }
+  return climb;
+}
+
+FrontierCandidate Exploration::with_climb(FrontierCandidate candidate,
+                                          const Eigen::Vector2d& p_atlas,
+                                          const ShortestPathTree& here) const {
+  std::vector<Eigen::Vector2d> there = here.path_from(p_atlas);
+  std::reverse(there.begin(), there.end());
+  candidate.climb_m = climb_m(there);
+  candidate.return_climb_m = climb_m(from_home_->path_from(p_atlas));
+  return candidate;
 }
 
 /// Open frontiers within the budget; marks the others as beyond it.
@@ -124,15 +160,13 @@ std::vector<FrontierCandidate> Exploration::candidates(const ExplorationState& s
     const auto leg = here.distance_m(frontier.p_map);
     const auto home = from_home_->distance_m(frontier.p_map);
     if (!leg || !home) continue;
-    const FrontierCandidate candidate{
-        frontier.id, expected_gain_m(frontier, space_, mean_m, state.sd_m, params_.gain), *leg,
-        *home};
+    const FrontierCandidate candidate = with_climb(
+        {frontier.id, expected_gain_m(frontier, space_, mean_m, state.sd_m, params_.gain), *leg,
+         *home},
+        frontier.p_map, here);
     const bool within =
         is_within_budget(candidate, params_.step_m, state.remaining_m, params_.choice);
-    register_.set_within_budget(frontier.id, within,
-                                fmt::format("it is {:.0f} m away and {:.0f} m from home, and "
-                                            "{:.0f} m remain",
-                                            *leg, *home, state.remaining_m),
+    register_.set_within_budget(frontier.id, within, budget_evidence(candidate, state.remaining_m),
                                 state.utime);
     if (within) candidates.push_back(candidate);
   }
@@ -142,8 +176,8 @@ std::vector<FrontierCandidate> Exploration::candidates(const ExplorationState& s
 ExplorationDecision Exploration::to_frontier(const FrontierCandidate& candidate,
                                              const ExplorationState& state,
                                              const ShortestPathTree& here) {
-  const Frontier& frontier = *register_.find(candidate.frontier);
-  route_ = here.path_from(frontier.p_map);
+  route_ = here.path_from(register_.find(candidate.frontier)->p_map);
+  const Frontier frontier = in_map(*register_.find(candidate.frontier));
   std::reverse(route_.begin(), route_.end());
   ExplorationDecision decision;
   decision.frontier = frontier.id;
@@ -160,7 +194,7 @@ ExplorationDecision Exploration::to_frontier(const FrontierCandidate& candidate,
     return decision;
   }
   decision.kind = ExplorationDecision::Kind::kGoTo;
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   decision.reason = fmt::format("to frontier {}, {:.0f} m away", frontier.id, decision.distance_m);
   return decision;
 }
@@ -169,11 +203,11 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, double p
                                          std::string reason) {
   ExplorationDecision decision;
   const Pose2 home = T_map_home();
-  route_ = from_home_->path_from(state.T_map_body.translation());
+  route_ = from_home_->path_from(p_atlas_body(state));
   decision.distance_m = path_length_m;
   decision.complete = incomplete_reasons().empty();
   decision.reason = std::move(reason);
-  if ((state.T_map_body.translation() - home.translation()).norm() <= params_.at_home_m) {
+  if ((p_atlas_body(state) - home.translation()).norm() <= params_.at_home_m) {
     decision.kind = ExplorationDecision::Kind::kDone;
     decision.T_map_goal = state.T_map_body;
     return decision;
@@ -183,7 +217,7 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, double p
     decision.T_map_goal = home;
     return decision;
   }
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   return decision;
 }
 
@@ -207,7 +241,8 @@ std::optional<ExplorationDecision> Exploration::to_next_patrol_place(const Explo
     const auto leg = here.distance_m(place.p_map);
     const auto home = from_home_->distance_m(place.p_map);
     return !leg || !home ||
-           !is_within_budget({-1, 0.0, *leg, *home}, 0.0, state.remaining_m, params_.choice);
+           !is_within_budget(with_climb({-1, 0.0, *leg, *home}, place.p_map, here), 0.0,
+                             state.remaining_m, params_.choice);
   });
   patrol_target_ = patrol_.next(within);
   if (!patrol_target_) return std::nullopt;
@@ -219,7 +254,7 @@ std::optional<ExplorationDecision> Exploration::to_next_patrol_place(const Explo
   decision.kind = ExplorationDecision::Kind::kGoTo;
   decision.distance_m = *path_length_m;
   decision.complete = incomplete_reasons().empty();
-  decision.T_map_goal = goal_pose(point_along(route_, params_.step_m));
+  decision.T_map_goal = goal_pose(point_along(route(), params_.step_m));
   decision.reason =
       fmt::format("patrol to the start of local map {}, {:.0f} m away, visited longest ago",
                   patrol_target_->local_map, decision.distance_m);
@@ -234,20 +269,50 @@ bool Exploration::leads_away(const Frontier& frontier) const {
   return leg.norm() < kAtFrontierM || leg.dot(frontier.direction_map) >= 0.0;
 }
 
+/// Whether the vehicle fits there, or nothing is known about the place.
+bool Exploration::fits_as_far_as_known(const Eigen::Vector2d& p_atlas) const {
+  const Eigen::Vector2i cell = space_.cell_at(p_atlas);
+  return space_.known.get(cell, Occupancy::kUnseen) == Occupancy::kUnseen ||
+         space_.access.get(cell) != Access::kNone;
+}
+
+/// Distance beyond a frontier in atlas, up to `length_m`, before it would lead into known rock.
+double Exploration::straight_on_m(const Frontier& frontier, double length_m) const {
+  double free_m = 0.0;
+  while (free_m < length_m && fits_as_far_as_known(frontier.p_map + (free_m + space_.resolution_m) *
+                                                                        frontier.direction_map)) {
+    free_m += space_.resolution_m;
+  }
+  return std::min(free_m, length_m);
+}
+
 std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spacing_m) const {
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
   std::vector<Eigen::Vector2d> line{state_.T_map_body.translation()};
-  line.insert(line.end(), route_.begin(), route_.end());
-  const Frontier* frontier = register_.find(decision_.frontier);
-  if (frontier != nullptr) {
-    line.push_back(frontier->p_map);
-    if (leads_away(*frontier))
-      line.emplace_back(frontier->p_map + length_m * frontier->direction_map);
+  for (const Eigen::Vector2d& p_atlas : route_) line.push_back(known_.atlas().to_map(p_atlas));
+  if (register_.find(decision_.frontier) != nullptr) {
+    const Frontier frontier = in_map(*register_.find(decision_.frontier));
+    line.push_back(frontier.p_map);
+    const double on_m = straight_on_m(*register_.find(decision_.frontier), length_m);
+    if (leads_away(frontier)) line.emplace_back(frontier.p_map + on_m * frontier.direction_map);
   } else {
-    line.push_back(patrol_target_ ? patrol_target_->p_map : T_map_home().translation());
+    line.push_back(patrol_target_ ? known_.atlas().to_map(patrol_target_->p_map)
+                                  : T_map_home().translation());
   }
-  return moving_average(resampled(line, length_m, spacing_m), kSmoothedWith);
+  std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
+  const auto fits = [&](const Eigen::Vector2d& p_map) {
+    for (int layer = 0; layer < known_.atlas().layers(); ++layer) {
+      if (fits_as_far_as_known(known_.atlas().to_atlas(p_map, layer))) return true;
+    }
+    return false;
+  };
+  // Less smooth where that would cut a corner.
+  for (int reach = kSmoothedWith; reach > 0; --reach) {
+    std::vector<Eigen::Vector2d> path = moving_average(points, reach);
+    if (std::ranges::all_of(path, fits)) return path;
+  }
+  return points;
 }
 
 }  // namespace adit

@@ -130,7 +130,7 @@ void ExplorationNode::place_terrains() {
   if (!has_map_ || !correction_ || unplaced_.empty()) return;
   for (const TerrainMap& terrain : unplaced_) {
     const auto* const added =
-        exploration_.add(terrain, correction_->T_map_odom * terrain.T_odom_level);
+        exploration_.add(terrain, correction_->T_map_odom * terrain.T_odom_level, z_map_body_m());
     if (added != nullptr && journal_) unstored_.push_back(*added);
   }
   unplaced_.clear();
@@ -200,11 +200,17 @@ double ExplorationNode::remaining_m() const {
   return std::max(0.0, budget_m - (distance_travelled_m_ - distance_at_request_m_));
 }
 
+/// The robot stands still from a 3D scan to its terrain map, so that both have this height.
+std::optional<double> ExplorationNode::z_map_body_m() const {
+  if (!correction_ || !pose_) return std::nullopt;
+  return correction_->z_map_odom_m + pose_->z_m;
+}
+
 void ExplorationNode::decide() {
   const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
   decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(),
                                    position_sd_m(*correction_).value_or(0.0),
-                                   request_ && request_->returning_home});
+                                   request_ && request_->returning_home, z_map_body_m()});
   decided_ = true;
 }
 

@@ -77,6 +77,7 @@ class ExplorationNode {
   void on_tick(std::int64_t utime);
   void reset_if_other_map(const LocalMap& first);
   void apply_graph();
+  [[nodiscard]] std::optional<double> z_map_body_m() const;
   void decide();
   void store();
   void publish_decision();

@@ -40,8 +40,10 @@ std::vector<double> weights_ahead(const std::vector<FrontierCandidate>& candidat
 
 bool is_within_budget(const FrontierCandidate& candidate, double step_m, double remaining_m,
                       const FrontierChoiceParams& params) {
-  const double return_length_m = params.home_factor * (candidate.return_length_m + step_m);
-  return candidate.path_length_m + step_m + return_length_m + params.reserve_m <= remaining_m;
+  const double there_m = candidate.path_length_m + params.climb_factor * candidate.climb_m + step_m;
+  const double return_m =
+      candidate.return_length_m + params.climb_factor * candidate.return_climb_m + step_m;
+  return there_m + params.home_factor * return_m + params.reserve_m <= remaining_m;
 }
 
 std::vector<FrontierCandidate> nearest_candidates(std::vector<FrontierCandidate> candidates,

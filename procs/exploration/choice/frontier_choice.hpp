@@ -21,6 +21,9 @@ struct FrontierChoiceParams {
   double switch_gain = 0.2;   ///< saving that changes the target, as a share of the path to it
   double home_factor = 1.5;   ///< safety factor on the path home
   double reserve_m = 20.0;    ///< path length that is never planned for
+  /// Path length on level ground that takes as much energy as a metre of climb: the inverse of the
+  /// rolling resistance, here 0.15. What else the vehicle draws makes it less.
+  double climb_factor = 6.7;
 
   template <class V>
   void visit(V& v) {
@@ -30,6 +33,7 @@ struct FrontierChoiceParams {
     v("switch_gain", switch_gain, within(0.0, 10.0));
     v("home_factor", home_factor, within(1.0, 10.0));
     v("reserve_m", reserve_m, at_least(0.0));
+    v("climb_factor", climb_factor, at_least(0.0));
   }
 };
 
@@ -39,10 +43,12 @@ struct FrontierCandidate {
   double gain_m = 0.0;           ///< expected length of new corridor
   double path_length_m = 0.0;    ///< from the robot
   double return_length_m = 0.0;  ///< from the frontier home
+  double climb_m = 0.0;          ///< on the path to it,
+  double return_climb_m = 0.0;   ///< and on the path home
 };
 
 /// Whether the robot can go to the frontier, explore `step_m` beyond it, and return home within the
-/// budget.
+/// budget. A climb counts as the path length that takes the same energy.
 bool is_within_budget(const FrontierCandidate& candidate, double step_m, double remaining_m,
                       const FrontierChoiceParams& params);
 

@@ -26,8 +26,8 @@ RoutePoint point_along(const std::vector<Eigen::Vector2d>& route_map, double dis
     ++after;
   }
   const Eigen::Vector2d direction = route_map[after] - route_map[before];
-  return {route_map[at],
-          direction.norm() > 0.0 ? direction.normalized() : Eigen::Vector2d::UnitX()};
+  return {route_map[at], direction.norm() > 0.0 ? direction.normalized() : Eigen::Vector2d::UnitX(),
+          at};
 }
 
 std::vector<Eigen::Vector2d> resampled(const std::vector<Eigen::Vector2d>& line, double length_m,

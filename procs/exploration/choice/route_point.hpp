@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@ namespace adit {
 struct RoutePoint {
   Eigen::Vector2d p_map{0.0, 0.0};
   Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector
+  std::size_t index = 0;                ///< of the point in the route
 };
 
 /// The point at a distance along a route, or its end. The route must not be empty.

@@ -30,20 +30,28 @@ Eigen::Vector2d outward(const DrivableSpace& space, std::size_t index) {
   return sum;
 }
 
-/// Row by row from the lowest; the rim of the grid holds no drivable cell, so that all neighbours
-/// exist.
-std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
+/// The rim of the grid holds no drivable cell, so that all neighbours exist. Driven cells closer to
+/// a wall than the vehicle are not frontiers.
+bool is_frontier_cell(const DrivableSpace& space, std::size_t i) {
+  const auto least = static_cast<float>(space.radius_m - 1e-6);
+  if (space.access[i] == Access::kNone || space.clearance_m[i] < least) return false;
   const auto around = space.known.around();
-  const auto least =
-      static_cast<float>(space.radius_m - 1e-6);  // driven cells closer to a wall are not frontiers
+  for (std::size_t side = 0; side < around.size(); side += 2) {
+    if (space.known[i + static_cast<std::size_t>(around[side])] == Occupancy::kUnseen) return true;
+  }
+  return false;
+}
+
+/// Row by row from the lowest. A place of several layers is at a frontier if it is so in each of
+/// them; it is found once.
+std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
   std::vector<FrontierCell> frontier_cells;
   for (std::size_t i = 0; i < space.known.size(); ++i) {
-    if (space.access[i] == Access::kNone || space.clearance_m[i] < least) continue;
-    bool at_unseen = false;
-    for (std::size_t side = 0; side < around.size(); side += 2) {
-      at_unseen |= space.known[i + static_cast<std::size_t>(around[side])] == Occupancy::kUnseen;
-    }
-    if (at_unseen) frontier_cells.push_back({i, outward(space, i)});
+    if (!is_frontier_cell(space, i) || space.shared.is_repeated(i)) continue;
+    bool in_all = true;
+    space.shared.for_each(i,
+                          [&](std::size_t same, int) { in_all &= is_frontier_cell(space, same); });
+    if (in_all) frontier_cells.push_back({i, outward(space, i)});
   }
   return frontier_cells;
 }
@@ -96,15 +104,19 @@ DetectedFrontier make_detected_frontier(const DrivableSpace& space,
   double nearest = std::numeric_limits<double>::infinity();
   double low = 0.0;
   double high = 0.0;
+  float clearance_m = 0.0F;
   for (const std::size_t k : cluster) {
     const Eigen::Vector2d p = space.middle(frontier_cells[k].cell);
+    clearance_m = std::max(clearance_m, space.clearance_m[frontier_cells[k].cell]);
     low = std::min(low, across.dot(p - mean));
     high = std::max(high, across.dot(p - mean));
     if ((p - mean).norm() >= nearest) continue;
     nearest = (p - mean).norm();
     detected.p_map = p;
   }
-  detected.width_m = high - low + 2.0 * space.radius_m;
+  // Around a corner or along a wall that is not seen the cells extend farther than the corridor is
+  // wide: no farther than to the walls.
+  detected.width_m = std::min(high - low + 2.0 * space.radius_m, 2.0 * double{clearance_m});
   detected.access = space.access[frontier_cells[cluster.front()].cell];
   return detected;
 }

@@ -14,7 +14,7 @@ namespace adit {
 struct DetectedFrontier {
   Eigen::Vector2d p_map{0.0, 0.0};          ///< a drivable point at it [m]
   Eigen::Vector2d direction_map{1.0, 0.0};  ///< into the unseen space, a unit vector
-  double width_m = 0.0;                     ///< approximate width from wall to wall
+  double width_m = 0.0;  ///< approximate width from wall to wall, across that direction
   Access access = Access::kReachable;
   bool at_dismissed_wall = false;  ///< returns of the level lasers near it count as no wall
 };

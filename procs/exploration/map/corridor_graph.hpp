@@ -22,7 +22,7 @@ struct CorridorGraphParams {
 };
 
 /// The topological map of the mine: the skeleton graph without the spurs that rough walls cause.
-/// Niches are not dead ends, and junctions within the width of a corridor are merged.
+/// In atlas. Niches are not dead ends, and junctions within the width of a corridor are merged.
 CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
                              const std::vector<DetectedFrontier>& frontiers,
                              const CorridorGraphParams& params);

@@ -64,19 +64,21 @@ void mark_cells_that_fit(DrivableSpace& space) {
 }
 
 /// Flood fill from `open` through cells that are kUnreachable, which become `mark`.
-void flood(Grid2<Access>& access, std::vector<std::size_t> open, Access mark,
+void flood(DrivableSpace& space, std::vector<std::size_t> open, Access mark,
            const Grid2<std::uint8_t>& barriers, bool stop_at_barriers) {
+  Grid2<Access>& access = space.access;
   const auto around = access.around();
+  const auto enter = [&](std::size_t next) {
+    if (access[next] != Access::kUnreachable || (stop_at_barriers && barriers[next] == kBarrier))
+      return;
+    access[next] = mark;
+    open.push_back(next);
+  };
   while (!open.empty()) {
     const std::size_t at = open.back();
     open.pop_back();
-    for (const std::ptrdiff_t step : around) {
-      const std::size_t next = at + static_cast<std::size_t>(step);
-      if (access[next] != Access::kUnreachable || (stop_at_barriers && barriers[next] == kBarrier))
-        continue;
-      access[next] = mark;
-      open.push_back(next);
-    }
+    for (const std::ptrdiff_t step : around) enter(at + static_cast<std::size_t>(step));
+    space.shared.for_each(at, [&](std::size_t next, int) { enter(next); });
   }
 }
 
@@ -92,8 +94,10 @@ std::vector<std::size_t> cells_with(const Grid2<Access>& access, Access value) {
 
 DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
-                             const Eigen::Vector2d& p_map_home, const DrivableParams& params) {
+                             const Eigen::Vector2d& p_map_home, const DrivableParams& params,
+                             SharedCells shared) {
   DrivableSpace space;
+  space.shared = std::move(shared);
   space.resolution_m = resolution_m;
   space.radius_m = vehicle_width_m / 2.0 + params.margin_m;
   space.known = std::move(known);
@@ -106,9 +110,9 @@ DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double
   const Eigen::Vector2i home = space.cell_at(p_map_home);
   if (space.access.get(home) == Access::kNone) return space;
   space.access[space.access.index(home)] = Access::kReachable;
-  flood(space.access, {space.access.index(home)}, Access::kReachable, barrier_cells, true);
-  flood(space.access, cells_with(space.access, Access::kReachable), Access::kBehindBarrier,
-        barrier_cells, false);
+  flood(space, {space.access.index(home)}, Access::kReachable, barrier_cells, true);
+  flood(space, cells_with(space.access, Access::kReachable), Access::kBehindBarrier, barrier_cells,
+        false);
   return space;
 }
 

@@ -61,13 +61,14 @@ struct BarrierLine {
 };
 
 /// The known space for a circular vehicle of the width of the real one; how it turns is left to the
-/// planner.
+/// planner. In atlas, as KnownSpace.
 struct DrivableSpace {
   double resolution_m = 0.2;
   double radius_m = 0.7;  ///< half the width of the vehicle plus the margin
   Grid2<Occupancy> known;
   Grid2<float> clearance_m;  ///< to the nearest wall [m]; 0 for walls and unseen cells
   Grid2<Access> access;
+  SharedCells shared;  ///< of the same box; where the layers are connected
 
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const {
     return cell_of(p_map, resolution_m);
@@ -80,6 +81,7 @@ struct DrivableSpace {
 /// Computes clearance and access of all cells as reached from `p_map_home`.
 DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
-                             const Eigen::Vector2d& p_map_home, const DrivableParams& params);
+                             const Eigen::Vector2d& p_map_home, const DrivableParams& params,
+                             SharedCells shared = {});
 
 }  // namespace adit

@@ -19,6 +19,8 @@ constexpr double kDrivenRadiusM = 0.3;
 constexpr int kRim = 2;
 constexpr int kSlack = 50;  // cells by which the grid grows at least
 constexpr double kAnchorRadiusM = 20.0;
+constexpr double kFarM = 1e6;        // positions beyond it are errors
+constexpr double kSameLevelM = 2.5;  // heights of a body in one tunnel differ by less
 constexpr double kSeamM =
     2.0;  // gap between consecutive local maps, beyond which the path of the body is not continuous
 
@@ -61,30 +63,80 @@ void KnownSpace::add(int id, LocalMapTile tile) {
 
 void KnownSpace::add(ScannedGround ground) {
   ground_.push_back(std::move(ground));
-  T_map_level_.emplace_back();
+  ground_votes_.emplace_back();
   dropped_tiles_ += enter_ground(ground_.size() - 1) ? 0 : 1;
+  lay_out();
 }
 
 void KnownSpace::clear_scanned_ground() {
   for (std::size_t i = 0; i < ground_.size(); ++i) withdraw_ground(i);
   ground_.clear();
-  T_map_level_.clear();
+  ground_votes_.clear();
 }
 
-void KnownSpace::pose(const std::vector<Pose2>& T_map_local) {
+void KnownSpace::pose(const std::vector<Pose2>& T_map_local, const std::vector<double>& z_m,
+                      const std::vector<double>& z_variance) {
   dropped_tiles_ = 0;
+  const std::vector<std::vector<int>> layers = layers_of(T_map_local, z_m, z_variance);
+  int count = 1;
+  for (const auto& of_map : layers) count = std::max(count, 1 + std::ranges::max(of_map));
+  layers_.resize(std::max(layers_.size(), static_cast<std::size_t>(count)));
   for (auto& [id, entry] : entries_) {
     const bool posed = id >= 0 && static_cast<std::size_t>(id) < T_map_local.size();
     if (!posed) {
       withdraw(entry);
       continue;
     }
-    const Pose2& pose = T_map_local[static_cast<std::size_t>(id)];
-    if (!moved(entry.T_map_local, pose, entry.radius_m)) continue;
+    const auto i = static_cast<std::size_t>(id);
+    entry.z_m = i < z_m.size() ? std::optional(z_m[i]) : std::nullopt;
+    const bool stays = !moved(entry.T_map_local, T_map_local[i], entry.radius_m);
+    if (stays && entry.layers == layers[i]) continue;
     withdraw(entry);
-    enter(entry, pose);
+    enter(entry, T_map_local[i], layers[i]);
   }
   for (std::size_t i = 0; i < ground_.size(); ++i) dropped_tiles_ += enter_ground(i) ? 0 : 1;
+  layers_.resize(static_cast<std::size_t>(count));
+  lay_out();
+}
+
+std::vector<std::vector<int>> KnownSpace::layers_of(const std::vector<Pose2>& T_map_local,
+                                                    const std::vector<double>& z_m,
+                                                    const std::vector<double>& z_variance) const {
+  std::vector<MapFootprint> footprints(T_map_local.size());
+  const bool has_heights = z_m.size() == T_map_local.size() && z_variance.size() == z_m.size();
+  for (const auto& [id, entry] : entries_) {
+    const auto i = static_cast<std::size_t>(id);
+    if (!has_heights || id < 0 || i >= z_m.size()) continue;
+    if (!std::isfinite(z_m[i]) || !std::isfinite(z_variance[i])) continue;
+    footprints[i].z_variance = z_variance[i];
+    for (const Eigen::Vector3d& p : entry.tile.footprint) {
+      const Eigen::Vector2d p_map = T_map_local[i] * Eigen::Vector2d(p.head<2>());
+      if (p_map.allFinite() && p_map.norm() < kFarM)
+        footprints[i].points.emplace_back(p_map.x(), p_map.y(), z_m[i] + p.z());
+    }
+  }
+  return separate_layers(footprints);
+}
+
+void KnownSpace::lay_out() {
+  std::vector<CellBox> boxes;
+  for (const Grid2<Votes>& layer : layers_) boxes.push_back(layer.box());
+  atlas_ = Atlas(boxes, resolution_m());
+}
+
+/// Of all layers in atlas, with a rim of unseen cells; empty without cells.
+CellBox KnownSpace::box() const {
+  CellBox all;
+  for (int layer = 0; layer < atlas_.layers(); ++layer) {
+    const CellBox& box = layers_[static_cast<std::size_t>(layer)].box();
+    if (box.empty()) continue;
+    const Eigen::Vector2i shift(0, atlas_.shift(layer));
+    const Eigen::Vector2i rim(kRim, kRim);
+    const CellBox placed{box.from + shift - rim, box.to + shift + rim};
+    all =
+        all.empty() ? placed : CellBox{all.from.cwiseMin(placed.from), all.to.cwiseMax(placed.to)};
+  }
+  return all;
 }
 
 /// Whether what voted at a pose must vote again.
@@ -96,12 +148,13 @@ bool KnownSpace::moved(const std::optional<Pose2>& T_map_voted, const Pose2& T_m
          params_.update_distance_m;
 }
 
-void KnownSpace::enter(Entry& entry, const Pose2& T_map_local) {
-  if (!reserve(T_map_local, entry.radius_m)) {
+void KnownSpace::enter(Entry& entry, const Pose2& T_map_local, std::vector<int> layers) {
+  if (!reserve(layers, T_map_local, entry.radius_m)) {
     ++dropped_tiles_;
     return;
   }
   entry.T_map_local = T_map_local;
+  entry.layers = std::move(layers);
   vote(entry, 1);
 }
 
@@ -111,24 +164,30 @@ void KnownSpace::withdraw(Entry& entry) {
   entry.T_map_local.reset();
 }
 
+bool KnownSpace::reserve(const std::vector<int>& layers, const Pose2& T_map, double radius_m) {
+  return std::ranges::all_of(layers, [&](int layer) { return reserve(layer, T_map, radius_m); });
+}
+
 /// Makes room around a pose. Returns false if the pose is invalid or the grid would become too
 /// large.
-bool KnownSpace::reserve(const Pose2& T_map, double radius_m) {
+bool KnownSpace::reserve(int layer, const Pose2& T_map, double radius_m) {
+  Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
   const Eigen::Vector2d p = T_map.translation();
-  if (!T_map.vector().allFinite() || p.norm() >= 1e6) return false;
+  if (!T_map.vector().allFinite() || p.norm() >= kFarM) return false;
   const Eigen::Vector2d reach(radius_m, radius_m);
   const CellBox box{cell_of(p - reach, resolution_m()),
                     cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)};
-  if (votes_.size() > 0 && votes_.box().contains(box)) return true;
+  if (votes.size() > 0 && votes.box().contains(box)) return true;
   const Eigen::Vector2i slack(kSlack, kSlack);
   CellBox grown_box{box.from - slack, box.to + slack};
-  if (votes_.size() > 0) {
-    grown_box.from = grown_box.from.cwiseMin(votes_.box().from);
-    grown_box.to = grown_box.to.cwiseMax(votes_.box().to);
+  if (votes.size() > 0) {
+    grown_box.from = grown_box.from.cwiseMin(votes.box().from);
+    grown_box.to = grown_box.to.cwiseMax(votes.box().to);
   }
-  const double cells = grown_box.size().cast<double>().prod();
+  double cells = grown_box.size().cast<double>().prod() - static_cast<double>(votes.size());
+  for (const Grid2<Votes>& each : layers_) cells += static_cast<double>(each.size());
   if (cells > params_.cells_max) return false;
-  votes_ = votes_.size() > 0 ? votes_.grown_to(grown_box) : Grid2<Votes>(grown_box);
+  votes = votes.size() > 0 ? votes.grown_to(grown_box) : Grid2<Votes>(grown_box);
   return true;
 }
 
@@ -164,12 +223,15 @@ class KnownSpace::PlacedVotes {
 };
 
 void KnownSpace::vote(const Entry& entry, int sign) {
-  PlacedVotes placed(votes_, *entry.T_map_local, resolution_m());
-  for (const Eigen::Vector2i& cell : entry.tile.free) placed.add(cell, &Votes::free, sign);
-  for (const WallCell& wall : entry.tile.walls) {
-    Votes& votes = placed.at(wall.p_local.x(), wall.p_local.y());
-    votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kVotesOfCell);
-    if (wall.steep) votes.steep_wall = static_cast<std::uint16_t>(votes.steep_wall + sign);
+  for (const int layer : entry.layers) {
+    PlacedVotes placed(layers_[static_cast<std::size_t>(layer)], *entry.T_map_local,
+                       resolution_m());
+    for (const Eigen::Vector2i& cell : entry.tile.free) placed.add(cell, &Votes::free, sign);
+    for (const WallCell& wall : entry.tile.walls) {
+      Votes& votes = placed.at(wall.p_local.x(), wall.p_local.y());
+      votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kVotesOfCell);
+      if (wall.steep) votes.steep_wall = static_cast<std::uint16_t>(votes.steep_wall + sign);
+    }
   }
 }
 
@@ -177,101 +239,134 @@ void KnownSpace::vote(const Entry& entry, int sign) {
 /// become too large.
 bool KnownSpace::enter_ground(std::size_t i) {
   const ScannedGround& ground = ground_[i];
-  const std::optional<Pose2> T_map_local = pose_of(ground.local_map);
+  const auto entry = entries_.find(ground.local_map);
+  const bool posed = entry != entries_.end() && entry->second.T_map_local;
   const auto T_map_level =
-      T_map_local ? std::optional(*T_map_local * ground.T_local_level) : std::nullopt;
+      posed ? std::optional(*entry->second.T_map_local * ground.T_local_level) : std::nullopt;
   const CellBox& box = ground.cells.box();
   const double radius_m =
       resolution_m() * (box.from.cwiseAbs().cwiseMax(box.to.cwiseAbs())).cast<double>().norm();
-  if (T_map_level && !moved(T_map_level_[i], *T_map_level, radius_m)) return true;
+  std::optional<GroundVote>& vote = ground_votes_[i];
+  if (T_map_level && vote && vote->layers == entry->second.layers &&
+      !moved(vote->T_map_level, *T_map_level, radius_m)) {
+    return true;
+  }
   withdraw_ground(i);
   if (!T_map_level) return true;
-  if (!reserve(*T_map_level, radius_m)) return false;
-  T_map_level_[i] = T_map_level;
+  if (!reserve(entry->second.layers, *T_map_level, radius_m)) return false;
+  vote = {*T_map_level, entry->second.layers};
   vote_ground(i, 1);
   return true;
 }
 
 void KnownSpace::withdraw_ground(std::size_t i) {
-  if (!T_map_level_[i]) return;
+  if (!ground_votes_[i]) return;
   vote_ground(i, -1);
-  T_map_level_[i].reset();
+  ground_votes_[i].reset();
 }
 
 void KnownSpace::vote_ground(std::size_t i, int sign) {
   const Grid2<ScannedCell>& cells = ground_[i].cells;
-  PlacedVotes placed(votes_, *T_map_level_[i], resolution_m());
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (cells[k] == ScannedCell::kUnknown) continue;
-    const auto count = cells[k] == ScannedCell::kGround ? &Votes::ground : &Votes::rock;
-    placed.add(cells.cell(k), count, sign);
+  for (const int layer : ground_votes_[i]->layers) {
+    PlacedVotes placed(layers_[static_cast<std::size_t>(layer)], ground_votes_[i]->T_map_level,
+                       resolution_m());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (cells[k] == ScannedCell::kUnknown) continue;
+      const auto count = cells[k] == ScannedCell::kGround ? &Votes::ground : &Votes::rock;
+      placed.add(cells.cell(k), count, sign);
+    }
   }
 }
 
 /// Whether the wall in a cell is too steep for ground, or 3D scans observed rock within two cells.
-bool KnownSpace::is_confirmed_wall(std::size_t votes_index) const {
-  if (votes_[votes_index].steep_wall > 0) return true;
+bool KnownSpace::is_confirmed_wall(const Grid2<Votes>& votes, std::size_t i) {
+  if (votes[i].steep_wall > 0) return true;
   constexpr int kReach = 2;
-  const Eigen::Vector2i middle = votes_.cell(votes_index);
+  const Eigen::Vector2i middle = votes.cell(i);
   for (int y = -kReach; y <= kReach; ++y) {
     for (int x = -kReach; x <= kReach; ++x) {
-      if (votes_.get(middle + Eigen::Vector2i(x, y)).rock > 0) return true;
+      if (votes.get(middle + Eigen::Vector2i(x, y)).rock > 0) return true;
     }
   }
   return false;
 }
 
-bool KnownSpace::has_returns(std::size_t votes_index) const {
-  const Votes& votes = votes_[votes_index];
+bool KnownSpace::has_returns(const Votes& votes) {
   return votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
 }
 
-Occupancy KnownSpace::occupancy(std::size_t votes_index, Walls walls) const {
-  const Votes& votes = votes_[votes_index];
+Occupancy KnownSpace::occupancy(const Grid2<Votes>& layer, std::size_t i, Walls walls) const {
+  const Votes& votes = layer[i];
   if (votes.free == 0 && votes.wall == 0) return Occupancy::kUnseen;
   const bool on_ground = votes.ground > 0 && votes.rock == 0;
-  if (!has_returns(votes_index) || on_ground) return Occupancy::kFree;
-  const bool counts = walls == Walls::kAll || ground_.empty() || is_confirmed_wall(votes_index);
+  if (!has_returns(votes) || on_ground) return Occupancy::kFree;
+  const bool counts = walls == Walls::kAll || ground_.empty() || is_confirmed_wall(layer, i);
   return counts ? Occupancy::kWall : Occupancy::kUnseen;
 }
 
 bool KnownSpace::dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const {
   constexpr int kReach = 3;
-  const Eigen::Vector2i middle = cell_of(p_map, resolution_m());
+  const auto& layer = layers_[static_cast<std::size_t>(atlas_.layer_of(p_map))];
+  const Eigen::Vector2i middle = cell_of(atlas_.to_map(p_map), resolution_m());
   for (int y = -kReach; y <= kReach; ++y) {
     for (int x = -kReach; x <= kReach; ++x) {
       const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
-      if (!votes_.contains(cell)) continue;
-      const std::size_t i = votes_.index(cell);
-      if (has_returns(i) && occupancy(i, walls) != Occupancy::kWall) return true;
+      if (!layer.contains(cell)) continue;
+      const std::size_t i = layer.index(cell);
+      if (has_returns(layer[i]) && occupancy(layer, i, walls) != Occupancy::kWall) return true;
     }
   }
   return false;
 }
 
 Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
-  CellBox box = votes_.box();
-  if (votes_.size() == 0) return {};
-  const Eigen::Vector2i rim(kRim, kRim);
-  Grid2<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
-  for (std::size_t i = 0; i < votes_.size(); ++i) {
-    known[known.index(votes_.cell(i))] = occupancy(i, walls);
+  const CellBox all = box();
+  if (all.empty()) return {};
+  Grid2<Occupancy> known(all, Occupancy::kUnseen);
+  for (int layer = 0; layer < atlas_.layers(); ++layer) {
+    const Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
+    const Eigen::Vector2i shift(0, atlas_.shift(layer));
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+      known[known.index(votes.cell(i) + shift)] = occupancy(votes, i, walls);
+    }
   }
   fill_patches(known);
-  mark_driven(known);
+  for (int layer = 0; layer < atlas_.layers(); ++layer) mark_driven(known, layer);
   return known;
+}
+
+SharedCells KnownSpace::shared_cells() const {
+  if (atlas_.layers() == 1) return {};
+  SharedCells shared(atlas_, box());
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local || entry.layers.size() < 2) continue;
+    for (const Eigen::Vector2i& cell : entry.tile.free) {
+      for (const auto& [dx, dy] :
+           {std::pair(0.25, 0.25), {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}) {
+        const Eigen::Vector2d p_local =
+            resolution_m() * (cell.cast<double>() + Eigen::Vector2d(dx, dy));
+        shared.add(cell_of(*entry.T_map_local * p_local, resolution_m()), entry.layers);
+      }
+    }
+  }
+  return shared;
 }
 
 /// Marks the path of the body as driven, across the seams of local maps too, where scans may leave
 /// gaps. Within a known area mapping adds no local maps, so that the next one begins elsewhere:
 /// such a jump is not a path.
-void KnownSpace::mark_driven(Grid2<Occupancy>& known) const {
+void KnownSpace::mark_driven(Grid2<Occupancy>& known, int layer) const {
+  constexpr int kNoSession = -1;
   Eigen::Vector2d last(0.0, 0.0);
-  std::optional<int> session;
+  int session = kNoSession;
   for (const auto& [id, entry] : entries_) {
     if (!entry.T_map_local) continue;
+    if (!entry.is_in(layer)) {
+      session = kNoSession;
+      continue;
+    }
     for (const Eigen::Vector2d& p_local : entry.tile.path) {
-      const Eigen::Vector2d p = *entry.T_map_local * p_local;
+      const Eigen::Vector2d p = atlas_.to_atlas(*entry.T_map_local * p_local, layer);
       const bool continues = session == entry.tile.session && (p - last).norm() <= kSeamM;
       mark_line(known, continues ? last : p, p, resolution_m());
       session = entry.tile.session;
@@ -314,38 +409,120 @@ void KnownSpace::fill_patches(Grid2<Occupancy>& known) const {
   }
 }
 
+/// Pose of an entry that has one.
+Pose2 KnownSpace::in_atlas(const Entry& entry, int layer) const {
+  const Eigen::Vector2d p = atlas_.to_atlas(entry.T_map_local->translation(), layer);
+  return {p.x(), p.y(), entry.T_map_local->theta};
+}
+
 std::optional<PosedTile> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
   std::optional<PosedTile> best;
+  bool best_is_own = false;
   double nearest = kAnchorRadiusM;
+  const int layer = atlas_.layer_of(p_map);
   for (const auto& [id, entry] : entries_) {
-    if (!entry.T_map_local) continue;
-    const Eigen::Vector2d p_local = entry.T_map_local->inverse() * p_map;
+    if (!entry.T_map_local || !entry.is_in(layer)) continue;
+    const bool is_own = entry.layers.front() == layer;
+    if (best_is_own && !is_own) continue;
+    const Pose2 T_map_local = in_atlas(entry, layer);
+    const Eigen::Vector2d p_local = T_map_local.inverse() * p_map;
     double distance = std::numeric_limits<double>::infinity();
     for (const auto& p : entry.tile.path) distance = std::min(distance, (p - p_local).norm());
-    if (distance >= nearest || !entry.tile.is_free(cell_of(p_local, resolution_m()))) continue;
+    const double limit = is_own && !best_is_own ? kAnchorRadiusM : nearest;
+    if (distance >= limit || !entry.tile.is_free(cell_of(p_local, resolution_m()))) continue;
     nearest = distance;
-    best = {id, *entry.T_map_local};
+    best = {id, T_map_local};
+    best_is_own = is_own;
   }
   return best;
 }
 
 std::optional<int> KnownSpace::newest_at(const Eigen::Vector2d& p_map) const {
-  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    const auto& [tile, T_map_local, radius_m] = entry->second;
-    if (!T_map_local) continue;
-    if (tile.is_free(cell_of(T_map_local->inverse() * p_map, resolution_m()))) return entry->first;
+  const int layer = atlas_.layer_of(p_map);
+  for (auto each = entries_.rbegin(); each != entries_.rend(); ++each) {
+    const Entry& entry = each->second;
+    if (!entry.T_map_local || !entry.is_in(layer)) continue;
+    const Eigen::Vector2d p_local = in_atlas(entry, layer).inverse() * p_map;
+    if (entry.tile.is_free(cell_of(p_local, resolution_m()))) return each->first;
   }
   return std::nullopt;
 }
 
+int KnownSpace::layer_at(const Eigen::Vector2d& p_map, std::optional<double> z_m) const {
+  if (atlas_.layers() == 1) return 0;
+  int layer = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local) continue;
+    if (!z_m) {
+      layer = entry.layers.front();  // of the newest
+      continue;
+    }
+    const Eigen::Vector2d p_local = entry.T_map_local->inverse() * p_map;
+    for (std::size_t i = 0; i < entry.tile.path.size(); ++i) {
+      const double distance = (entry.tile.path[i] - p_local).norm();
+      const double z_path_m = i < entry.tile.path_z_m.size() ? entry.tile.path_z_m[i] : 0.0;
+      if (distance >= nearest || std::abs(entry.z_m.value_or(0.0) + z_path_m - *z_m) > kSameLevelM)
+        continue;
+      nearest = distance;
+      layer = entry.layers.front();
+    }
+  }
+  return layer;
+}
+
+std::vector<std::pair<int, OpenAir>> KnownSpace::open_air() const {
+  std::vector<std::pair<int, OpenAir>> all;
+  for (const auto& [id, entry] : entries_) {
+    const auto T_map_local = pose_of(id);
+    if (!T_map_local) continue;
+    for (const OpenAir& open : entry.tile.open_air) {
+      all.emplace_back(id, OpenAir{*T_map_local * open.p,
+                                   *T_map_local * open.direction - T_map_local->translation()});
+    }
+  }
+  return all;
+}
+
+std::optional<double> KnownSpace::height_near(const Eigen::Vector2d& p_atlas) const {
+  const int layer = atlas_.layer_of(p_atlas);
+  const Eigen::Vector2d p_map = atlas_.to_map(p_atlas);
+  std::optional<double> height_m;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local || !entry.z_m || !entry.is_in(layer)) continue;
+    const double distance = (entry.T_map_local->translation() - p_map).squaredNorm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    height_m = entry.z_m;
+  }
+  return height_m;
+}
+
+Eigen::Vector2d KnownSpace::in_own_layer(const Eigen::Vector2d& p_atlas) const {
+  if (atlas_.layers() == 1) return p_atlas;
+  const std::optional<PosedTile> tile = tile_at(p_atlas);
+  if (!tile) return p_atlas;
+  return atlas_.to_atlas(atlas_.to_map(p_atlas), entries_.at(tile->id).layers.front());
+}
+
 std::optional<Pose2> KnownSpace::pose_of(int id) const {
   const auto entry = entries_.find(id);
-  return entry == entries_.end() ? std::nullopt : entry->second.T_map_local;
+  if (entry == entries_.end() || !entry->second.T_map_local) return std::nullopt;
+  return in_atlas(entry->second, entry->second.layers.front());
+}
+
+std::vector<Pose2> KnownSpace::poses_of(int id) const {
+  std::vector<Pose2> poses;
+  const auto entry = entries_.find(id);
+  if (entry == entries_.end() || !entry->second.T_map_local) return poses;
+  for (const int layer : entry->second.layers) poses.push_back(in_atlas(entry->second, layer));
+  return poses;
 }
 
 std::optional<PosedTile> KnownSpace::newest() const {
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    if (entry->second.T_map_local) return PosedTile{entry->first, *entry->second.T_map_local};
+    if (const auto pose = pose_of(entry->first)) return PosedTile{entry->first, *pose};
   }
   return std::nullopt;
 }

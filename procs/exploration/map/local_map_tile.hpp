@@ -40,15 +40,25 @@ struct WallCell {
   bool steep = false;                 ///< too steep for ground: a return came from nearby
 };
 
+/// A view through an opening into open air: adjacent beams without return over an angle that the
+/// far end of a tunnel, beyond the range of the laser, does not fill.
+struct OpenAir {
+  Eigen::Vector2d p{0.0, 0.0};          ///< of the laser [m]
+  Eigen::Vector2d direction{1.0, 0.0};  ///< of the middle of these beams, a unit vector
+};
+
 /// The cells that a local map observed, in its frame: computed once, and posed as often as the
 /// graph moves. All its scans are level, as mapping uses no others. A beam without return adds
-/// nothing: it may have met water or open air.
+/// no cells: it may have met water or open air.
 struct LocalMapTile {
   int session = 0;
   std::int64_t end_utime = 0;
   std::vector<Eigen::Vector2i> free;  ///< cells traversed by beams, by row, then column
   std::vector<WallCell> walls;
-  std::vector<Eigen::Vector2d> path;  ///< p_local of the body, in order of time [m]
+  std::vector<Eigen::Vector2d> path;   ///< p_local of the body, in order of time [m]
+  std::vector<OpenAir> open_air = {};  ///< relative to the local map
+  std::vector<double> path_z_m = {};   ///< heights of `path` above the origin of the local map
+  std::vector<Eigen::Vector3d> footprint = {};  ///< MapFootprint::points, relative to the local map
 
   [[nodiscard]] bool is_free(const Eigen::Vector2i& cell_local) const;
 };

@@ -20,6 +20,7 @@ constexpr int kNearWallCost = 9;
 constexpr int kNotDriven = 2;  // further factor of cells not driven, for PathPreference::kDriven
 constexpr std::size_t kBuckets = 256;
 static_assert(kBuckets > 14 * kNearWallCost * kNotDriven, "the most expensive step must fit");
+constexpr int kSamePlace = 8;  // the first value of a step beyond the directions
 constexpr int kSnapCells = 5;  // from a point to the nearest cell that qualifies
 
 /// The cell nearest to `middle` that qualifies, within kSnapCells.
@@ -48,7 +49,8 @@ ShortestPathTree::ShortestPathTree(const DrivableSpace& space, const Eigen::Vect
                                    const std::vector<Eigen::Vector2d>& targets)
     : resolution_m_(space.resolution_m),
       length_m_(space.known.box(), kUnreached),
-      back_(space.known.box(), kNoStep) {
+      back_(space.known.box(), kNoStep),
+      shared_(space.shared) {
   const auto from = nearest(length_m_, space.cell_at(p_map_from),
                             [&](std::size_t i) { return space.access[i] == Access::kReachable; });
   if (from) search(space, *from, preference, targets);
@@ -96,6 +98,14 @@ void ShortestPathTree::search(const DrivableSpace& space, std::size_t from,
         buckets[static_cast<std::size_t>(total) % kBuckets].push_back(next);
         ++waiting;
       }
+      space.shared.for_each(at, [&](std::size_t next, int) {
+        if (space.access[next] != Access::kReachable || now >= cost[next]) return;
+        cost[next] = now;
+        length_m_[next] = length_m_[at];
+        back_[next] = static_cast<std::uint8_t>(kSamePlace + space.shared.layer_of(at));
+        bucket.push_back(next);
+        ++waiting;
+      });
     }
     bucket.clear();
   }
@@ -119,8 +129,10 @@ std::vector<Eigen::Vector2d> ShortestPathTree::path_from(const Eigen::Vector2d& 
   const auto around = length_m_.around();
   while (true) {
     path.push_back(centre_of(length_m_.cell(*at), resolution_m_));
-    if (back_[*at] == kNoStep) return path;
-    *at += static_cast<std::size_t>(around[back_[*at]]);
+    const std::uint8_t back = back_[*at];
+    if (back == kNoStep) return path;
+    *at = back < kSamePlace ? *at + static_cast<std::size_t>(around[back])
+                            : shared_.in_layer(*at, back - kSamePlace);
   }
 }
 

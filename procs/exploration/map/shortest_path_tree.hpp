@@ -20,7 +20,8 @@ enum class PathPreference {
 };
 
 /// Shortest paths from one place to all reachable cells: Dijkstra's algorithm on the 8-connected
-/// grid, with costs that prefer driven cells and keep away from walls.
+/// grid, with costs that prefer driven cells and keep away from walls. Cells that are the same
+/// place in two layers are connected at no cost.
 class ShortestPathTree {
  public:
   /// Stops when all `targets` are reached, if there are any.
@@ -42,7 +43,10 @@ class ShortestPathTree {
 
   double resolution_m_;
   Grid2<float> length_m_;
-  Grid2<std::uint8_t> back_;  ///< direction to the predecessor, as an index into around()
+  /// Direction to the predecessor, as an index into around(), or 8 + the layer in which it is the
+  /// same place.
+  Grid2<std::uint8_t> back_;
+  SharedCells shared_;
 };
 
 }  // namespace adit

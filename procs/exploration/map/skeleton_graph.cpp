@@ -60,7 +60,8 @@ Grid2<std::uint8_t> skeleton(const DrivableSpace& space) {
   Grid2<std::uint8_t> mask(space.known.box());
   const auto around = mask.around();
   for (std::size_t i = 0; i < mask.size(); ++i) {
-    mask[i] = static_cast<std::uint8_t>(space.access[i] == Access::kReachable);
+    mask[i] = static_cast<std::uint8_t>(space.access[i] == Access::kReachable &&
+                                        !space.shared.is_repeated(i));
   }
   std::vector<std::size_t> rim;
   for (std::size_t i = 0; i < mask.size(); ++i) {

@@ -12,7 +12,8 @@
 namespace adit {
 
 /// The middle lines of the reachable cells, one cell wide and with their connectivity: parallel
-/// thinning (Guo and Hall 1989, algorithm A1). 1 for the cells of the skeleton.
+/// thinning (Guo and Hall 1989, algorithm A1). 1 for the cells of the skeleton. What is the same
+/// place in several layers appears once, so that the lines end where layers meet.
 Grid2<std::uint8_t> skeleton(const DrivableSpace& space);
 
 /// A branch of the skeleton between two nodes.

@@ -331,8 +331,8 @@ class Run {
       route.emplace_back(decision.T_map_goal.translation());
       return route;
     }
-    const Frontier& frontier =
-        exploration_.frontiers()[static_cast<std::size_t>(decision.frontier)];
+    if (decision.frontier == ExplorationDecision::kNoFrontier) return route;  // on patrol
+    const Frontier frontier = exploration_.frontiers()[static_cast<std::size_t>(decision.frontier)];
     for (double on = kStrideM; on <= kOnwardM; on += kStrideM) {
       route.emplace_back(frontier.p_map + on * frontier.direction_map);
     }
@@ -341,7 +341,7 @@ class Run {
 
   void count_turn(int before, int now) {
     if (before < 0 || now < 0 || before == now) return;
-    const Frontier& frontier = exploration_.frontiers()[static_cast<std::size_t>(before)];
+    const Frontier frontier = exploration_.frontiers()[static_cast<std::size_t>(before)];
     if (frontier.state == FrontierState::kOpen) ++run_.turns;
   }
 

@@ -61,26 +61,6 @@ TEST(Exploration, StaysWithoutAMap) {
   EXPECT_EQ(decision.reason, "there is no map yet");
 }
 
-/// A graph of two local maps that lie above each other, at the pose of the explorer's first one.
-MapGraph graph_of_levels(double apart_m, double sd_m) {
-  MapGraph graph;
-  graph.poses = {{}, {1.0, 0.5, 1.0}};
-  graph.z_m = {0.0, apart_m};
-  graph.z_variance = {0.0, sd_m * sd_m};
-  return graph;
-}
-
-TEST(Exploration, IsIncompleteWhereLevelsLieAboveEachOther) {
-  const auto incomplete_at = [](double apart_m, double sd_m) {
-    Exploration exploration{ExplorationParams{}};
-    EXPECT_TRUE(exploration.update(graph_of_levels(apart_m, sd_m)));
-    return !exploration.incomplete_reasons().empty();
-  };
-  EXPECT_TRUE(incomplete_at(-5.0, 0.1));
-  EXPECT_FALSE(incomplete_at(2.0, 0.1));  // a ramp, not a level
-  EXPECT_FALSE(incomplete_at(5.0, 2.0));  // the heights are too uncertain
-}
-
 TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
@@ -92,6 +72,40 @@ TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
   ASSERT_EQ(open.size(), 1U);
   EXPECT_NEAR(open[0].width_m, 3.0, 0.7);  // rough walls, and the rim of the known space is an arc
   EXPECT_FALSE(explorer.frontiers(FrontierState::kOutsideMine).empty());
+}
+
+/// The robot starts in the middle of a tunnel of 60 m, closed at both ends.
+TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
+  const auto line = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return test::Segment{a, b};
+  };
+  const auto mine = test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
+                                       line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
+                                      Pose2{});
+  Explorer explorer(mine);
+  explorer.decide();
+  EXPECT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 2U);
+  EXPECT_TRUE(explorer.frontiers(FrontierState::kOutsideMine).empty());
+  Exploration exploration{ExplorationParams{}};
+  const auto run = test::run_exploration(mine, exploration, kPlenty);
+  EXPECT_TRUE(run.complete);
+  EXPECT_TRUE(run.returned);
+  EXPECT_GT(run.distance_travelled_m, 4 * 20.0);  // to where 8 m suffice to see the end, and back
+}
+
+/// The walls of the tunnels have 3 m between them, those of a crossing 4.2 m; both are rough.
+TEST(Exploration, ReportsTheWidthOfTheCorridorAtAFrontier) {
+  constexpr double kWidthM = 3.0;
+  const auto mine = tunnel_mine(rooms_and_pillars(), kWidthM);
+  Explorer explorer(mine);
+  for (int i = 0; i < 40; ++i) {
+    if (explorer.decide().kind == Kind::kDone) break;
+    explorer.drive(5.0);
+    for (const Frontier& frontier : explorer.frontiers(FrontierState::kOpen)) {
+      EXPECT_LT(frontier.width_m, 1.7 * kWidthM) << frontier.id << " at " << i;
+      EXPECT_GT(frontier.width_m, 0.3 * kWidthM) << frontier.id << " at " << i;
+    }
+  }
 }
 
 TEST(Exploration, DetectsTheArmsOfAJunctionAsFrontiers) {
@@ -192,7 +206,7 @@ TEST(Exploration, DoesNotChooseABlockedFrontierOrFrontiersBehindIt) {
     EXPECT_NE(explorer.decide().frontier, blocked);
     explorer.drive(5.0);
   }
-  const Frontier& frontier = explorer.exploration.frontiers()[static_cast<std::size_t>(blocked)];
+  const Frontier frontier = explorer.exploration.frontiers()[static_cast<std::size_t>(blocked)];
   EXPECT_EQ(frontier.state, FrontierState::kBlocked);
   EXPECT_EQ(frontier.evidence, "a beam");
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
@@ -405,7 +419,7 @@ TEST_F(DeadEnd, IsNotExploredUntilA3DScanShowsRock) {
   EXPECT_TRUE(explorer_.exploration.memory().verify_walls);
   EXPECT_FALSE(decision.complete);
   ASSERT_NE(decision.frontier, ExplorationDecision::kNoFrontier);
-  const Frontier& frontier =
+  const Frontier frontier =
       explorer_.exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
   EXPECT_GT(frontier.p_map.x(), 34.0);
   scan_3d(explorer_.robot.T_map_body(), kBeyondTheEndM);

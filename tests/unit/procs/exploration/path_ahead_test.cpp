@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The path ahead that exploration gives to the planner.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "procs/exploration/exploration.hpp"
@@ -54,6 +56,33 @@ TEST_F(PathAhead, BeginsAtTheRobotAndStaysInDrivableSpace) {
   }
 }
 
+/// Whether a point lies where the map shows rock, or no room for the vehicle.
+bool is_in_known_rock(const DrivableSpace& space, const Eigen::Vector2d& p_map) {
+  const Eigen::Vector2i cell = space.cell_at(p_map);
+  return space.known.get(cell, Occupancy::kUnseen) != Occupancy::kUnseen &&
+         space.access.get(cell) == Access::kNone;
+}
+
+TEST(PathAheadInMines, LeadsThroughNoKnownRock) {
+  for (const auto& tunnels : {junction(), crossroads(), ring(), rooms_and_pillars()}) {
+    const test::PlanarMine mine = tunnel_mine(tunnels);
+    test::ExploringRobot robot(mine);
+    Exploration exploration{ExplorationParams{}};
+    for (int i = 0; i < 60; ++i) {
+      exploration.add(robot.last_map());
+      exploration.update(robot.graph());
+      const ExplorationDecision decision =
+          exploration.decide({robot.utime(), robot.T_map_body(), 2000.0, 0.0, false});
+      if (decision.kind == ExplorationDecision::Kind::kDone) break;
+      const auto path = exploration.path_ahead(kLengthM, kSpacingM);
+      EXPECT_TRUE(std::ranges::none_of(path, [&](const Eigen::Vector2d& p) {
+        return is_in_known_rock(exploration.space(), p);
+      })) << i;
+      robot.drive(exploration.route(), 5.0);
+    }
+  }
+}
+
 /// The side tunnel leads back parallel to the main one.
 TEST(PathAheadIntoAReturningSideTunnel, DoesNotLeadBackToTheRobot) {
   const test::PlanarMine mine = tunnel_mine({{0, 0, 30, 0}, {20, 0, 14, 14}});
@@ -68,7 +97,7 @@ TEST(PathAheadIntoAReturningSideTunnel, DoesNotLeadBackToTheRobot) {
         exploration.decide({robot.utime(), robot.T_map_body(), 2000.0, 0.0, false});
     const auto path = exploration.path_ahead(kLengthM, kSpacingM);
     if (path.size() < 2 || decision.frontier < 0) break;
-    const Frontier& frontier = exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
+    const Frontier frontier = exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
     const Eigen::Vector2d to_frontier = frontier.p_map - p_robot;
     if (to_frontier.norm() > 3.0 && decision.distance_m < kLengthM &&
         to_frontier.dot(frontier.direction_map) < 0.0) {

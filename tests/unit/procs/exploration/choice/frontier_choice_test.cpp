@@ -107,6 +107,16 @@ TEST(FrontierChoice, NeverSpendsTheBudgetForThePathHome) {
   EXPECT_FALSE(is_within_budget(candidate, 10.0, 164.9, params));
 }
 
+TEST(FrontierChoice, CountsTheClimbOfThePathHome) {
+  FrontierCandidate candidate{0, 10.0, 30.0, 60.0};
+  candidate.climb_m = 1.0;
+  candidate.return_climb_m = 6.0;
+  FrontierChoiceParams params;
+  params.climb_factor = 5.0;  // 165 + 5 (1 + 1.5 · 6)
+  EXPECT_TRUE(is_within_budget(candidate, 10.0, 215.0, params));
+  EXPECT_FALSE(is_within_budget(candidate, 10.0, 214.9, params));
+}
+
 }  // namespace
 namespace {
 

@@ -383,6 +383,7 @@ bool SparseCholesky::factorise() {
   cholmod_sparse A = view(static_cast<int>(cholmod_->L->n), cholmod_->columns, values_);
   A.stype = 1;
   cholmod_factorize(&A, cholmod_->L, cholmod_->common.get());
+  negative_pivot_ = -1;
   const bool factorised = cholmod_->common.positive_definite();
   if (!factorised) weakest_block_ = block_at_[cholmod_->L->minor / at(block_size_)];
   cholmod_->has_factor = factorised && check_pivots();
@@ -399,6 +400,7 @@ bool SparseCholesky::check_pivots() {
     const double before = values_[place.first + c * place.stride + triangular(c) + c];
     if (L.pivot(j) > kPivotMin * before) continue;
     weakest_block_ = block;
+    if (L.pivot(j) < -kPivotMin * std::abs(before)) negative_pivot_ = j;
     return false;
   }
   return true;
@@ -406,6 +408,25 @@ bool SparseCholesky::check_pivots() {
 
 bool SparseCholesky::has_factor() const { return cholmod_->has_factor; }
 int SparseCholesky::weakest_block() const { return weakest_block_; }
+
+/// The columns before the negative pivot d_j are a valid part of L D Lᵀ, so that v with Lᵀ v = e_j
+/// has vᵀ A v = d_j.
+Eigen::VectorXd SparseCholesky::negative_curvature() const {
+  if (negative_pivot_ < 0) return {};
+  const FactorView L(*cholmod_->L);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(L.n);
+  v[negative_pivot_] = 1.0;
+  for (int j = negative_pivot_ - 1; j >= 0; --j) {
+    for (int k = L.start[j] + 1; k < L.start[j] + L.count[j]; ++k)
+      v[j] -= L.values[k] * v[L.rows[k]];
+  }
+  Eigen::VectorXd result(L.n);
+  for (std::size_t i = 0; i < position_.size(); ++i) {
+    result.segment(row(static_cast<int>(i)), block_size_) =
+        v.segment(row(position_[i]), block_size_);
+  }
+  return result;
+}
 
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const {
   require(has_factor(), "solve without a factor");

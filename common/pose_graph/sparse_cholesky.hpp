@@ -69,6 +69,9 @@ class SparseCholesky {
   [[nodiscard]] bool has_factor() const;
   /// The block at which the last factorisation failed.
   [[nodiscard]] int weakest_block() const;
+  /// A vector v with vᵀ A v < 0, after `factorise` failed at a negative pivot; empty if the pivot
+  /// was zero to rounding.
+  [[nodiscard]] Eigen::VectorXd negative_curvature() const;
 
   /// A⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
@@ -117,6 +120,7 @@ class SparseCholesky {
   std::unique_ptr<Cholmod> cholmod_;
   double* values_ = nullptr;  // of the upper triangle of P A Pᵀ, by columns
   int weakest_block_ = -1;
+  int negative_pivot_ = -1;  // column of the first one, or −1
 };
 
 }  // namespace adit

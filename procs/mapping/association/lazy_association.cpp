@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsRevokedMax = 3;      // by one revision
+constexpr int kGroupsRevokedMax = 6;      // by one revision
 constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
 constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
 

@@ -224,9 +224,11 @@ class BlockFactor {
     for (int b = 0; b < blocks_; ++b) append(L, b);
   }
 
-  /// Diagonal blocks of the inverse Z: from Z = D⁻¹ U⁻¹ + Z (I − Uᵀ)… restricted to the pattern,
-  /// Z_ij = −Σ_k Z_ik U_kj and Z_jj = D_j⁻¹ − Σ_k U_kjᵀ Z_kj, columns from the last to the first.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonal() const {
+  /// The blocks of the inverse Z on the diagonal and at `pairs`, (row, column) below it: from Z =
+  /// D⁻¹ U⁻¹ + Z (I − Uᵀ)… restricted to the pattern, Z_ij = −Σ_k Z_ik U_kj and Z_jj = D_j⁻¹ − Σ_k
+  /// U_kjᵀ Z_kj, columns from the last to the first.
+  [[nodiscard]] SparseCholesky::SelectedInverse inverse(
+      const std::vector<std::array<int, 2>>& pairs) const {
     std::vector<Eigen::Matrix3d> diagonal(at(blocks_));
     std::vector<Eigen::Matrix3d> Z(U_.size());
     std::vector<int> place(at(blocks_), -1);
@@ -251,7 +253,16 @@ class BlockFactor {
         place[at(rows_[at(k)])] = -1;
       }
     }
-    return diagonal;
+    std::vector<Eigen::Matrix3d> selected;
+    selected.reserve(pairs.size());
+    for (const auto& [row, column] : pairs) {
+      const auto begin = rows_.begin() + start_[at(column)];
+      const auto end = rows_.begin() + start_[at(column) + 1];
+      const auto found = std::lower_bound(begin, end, row);
+      require(found != end && *found == row, "a pair outside the pattern");
+      selected.push_back(Z[static_cast<std::size_t>(found - rows_.begin())]);
+    }
+    return {std::move(diagonal), std::move(selected)};
   }
 
  private:
@@ -516,12 +527,26 @@ Eigen::MatrixXd SparseCholesky::inverse_among(const std::vector<int>& blocks) co
 }
 
 std::vector<Eigen::Matrix3d> SparseCholesky::inverse_diagonal() const {
-  require(has_factor(), "the diagonal of the inverse without a factor");
+  return selected_inverse({}).diagonal;
+}
+
+SparseCholesky::SelectedInverse SparseCholesky::selected_inverse(
+    const std::vector<std::array<int, 2>>& pairs) const {
+  require(has_factor(), "a part of the inverse without a factor");
   require(block_size_ == 3, "the recursion is written for blocks of three");
-  const std::vector<Eigen::Matrix3d> permuted =
-      BlockFactor(FactorView(*cholmod_->L)).inverse_diagonal();
-  std::vector<Eigen::Matrix3d> result;
-  for (const int position : position_) result.push_back(permuted[at(position)]);
+  std::vector<std::array<int, 2>> below;  // in the order of elimination
+  for (const auto& [a, b] : pairs) {
+    const auto [column, row] = std::minmax(position_[at(a)], position_[at(b)]);
+    below.push_back({row, column});
+  }
+  SelectedInverse permuted = BlockFactor(FactorView(*cholmod_->L)).inverse(below);
+  SelectedInverse result;
+  for (const int position : position_) result.diagonal.push_back(permuted.diagonal[at(position)]);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool first_is_row = position_[at(pairs[k][0])] == below[k][0];
+    if (!first_is_row) permuted.pairs[k].transposeInPlace();
+  }
+  result.pairs = std::move(permuted.pairs);
   return result;
 }
 

@@ -95,6 +95,14 @@ class SparseCholesky {
   /// 3 only.
   [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonal() const;
 
+  /// The same with the blocks of A⁻¹ at these pairs, which must be in the pattern of A.
+  struct SelectedInverse {
+    std::vector<Eigen::Matrix3d> diagonal;
+    std::vector<Eigen::Matrix3d> pairs;  ///< at (pair[0], pair[1])
+  };
+  [[nodiscard]] SelectedInverse selected_inverse(
+      const std::vector<std::array<int, 2>>& pairs) const;
+
   /// Number of entries of L.
   [[nodiscard]] std::size_t factor_entries() const;
 

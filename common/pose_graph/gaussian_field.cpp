@@ -29,6 +29,9 @@ GraphStructure analyse_connected(const PoseGraph& graph) {
   return analyse(graph);
 }
 
+/// Constraints from which one recursion over the factor is cheaper than a path for each.
+constexpr std::size_t kManyConstraints = 50;
+
 /// The derivatives of T_from_to = T_map_from⁻¹ · T_map_to: those of a residual against the
 /// identity.
 LinearPotential relative_pose(const Pose2& T_map_from, const Pose2& T_map_to) {
@@ -98,6 +101,7 @@ void GaussianField::change_sums(const PoseConstraint& c, const LinearPotential& 
   }
   if (c.to != 0) b_.segment<3>(row_of(c.to)) -= sign * potential.J_to.transpose() * weighted;
   objective_at_linearisation_ += sign * potential.e.dot(weighted);
+  was_changed_ = true;
   mode_.resize(0);
   marginals_.clear();
   among_.clear();
@@ -166,10 +170,28 @@ double GaussianField::objective_increase(const PoseConstraint& c) const {
       view.d, view.J * equations_.matrix().inverse_among(view.blocks) * view.J.transpose(), view.G);
 }
 
-std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
-    const std::vector<PoseConstraint>& present, const PoseConstraint& query) const {
-  const ConstraintView c = view_of(query);
-  Eigen::MatrixXd columns(b_.size(), 3);  // H⁻¹ J_cᵀ
+/// The parts of H⁻¹ for constraints of the factorised matrix, all by one recursion.
+void GaussianField::find_all_among(const std::vector<PoseConstraint>& present) const {
+  std::vector<std::array<int, 2>> pairs;
+  for (const PoseConstraint& c : present) {
+    if (c.from != 0 && c.to != 0) pairs.push_back({c.from - 1, c.to - 1});
+  }
+  const SparseCholesky::SelectedInverse inverse = equations_.matrix().selected_inverse(pairs);
+  const auto marginal = [&](int node) {
+    return inverse.diagonal[static_cast<std::size_t>(node) - 1];
+  };
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const int from = pairs[k][0] + 1;
+    const int to = pairs[k][1] + 1;
+    Eigen::MatrixXd& among = among_[{from, to}];
+    among.resize(6, 6);
+    among << marginal(from), inverse.pairs[k], inverse.pairs[k].transpose(), marginal(to);
+  }
+}
+
+/// H⁻¹ Jᵀ of a constraint.
+Eigen::MatrixXd GaussianField::columns_of(const ConstraintView& c) const {
+  Eigen::MatrixXd columns(b_.size(), 3);
   for (int k = 0; k < 3; ++k) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(b_.size());
     for (std::size_t i = 0; i < c.blocks.size(); ++i) {
@@ -178,7 +200,28 @@ std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
     }
     columns.col(k) = equations_.matrix().solve(row);
   }
+  return columns;
+}
+
+std::vector<double> GaussianField::couplings(const std::vector<PoseConstraint>& present,
+                                             const PoseConstraint& query) const {
+  const ConstraintView c = view_of(query);
+  const Eigen::MatrixXd columns = columns_of(c);
+  std::vector<double> couplings;
+  for (const PoseConstraint& constraint : present) {
+    const ConstraintView u = view_of(constraint);
+    const Eigen::Vector3d shift = u.times(columns).transpose() * constraint.information * u.d;
+    couplings.push_back((c.G.transpose() * shift).norm());
+  }
+  return couplings;
+}
+
+std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
+    const std::vector<PoseConstraint>& present, const PoseConstraint& query) const {
+  const ConstraintView c = view_of(query);
+  const Eigen::MatrixXd columns = columns_of(c);
   const Eigen::Matrix3d S_cc = c.times(columns);
+  if (present.size() > kManyConstraints && !was_changed_) find_all_among(present);
   std::vector<LeaveOneOut> all;
   for (const PoseConstraint& constraint : present) {
     const ConstraintView u = view_of(constraint);

@@ -49,9 +49,15 @@ class GaussianField {
   };
   /// For each of `present`, constraints of the field, the effect of removing it alone; exact for
   /// the linearised field. Costs one column of the factor for all of them, and one path of the
-  /// elimination tree for each, cached until the field changes.
+  /// elimination tree for each, or one recursion for many; cached until the field changes.
   [[nodiscard]] std::vector<LeaveOneOut> leave_one_out(const std::vector<PoseConstraint>& present,
                                                        const PoseConstraint& query) const;
+
+  /// For each of `present`, constraints of the field, the shift of the residual of `query` by the
+  /// residual of that constraint, in standard deviations of `query`: how much its removal may
+  /// matter. Costs one column of the factor for all of them.
+  [[nodiscard]] std::vector<double> couplings(const std::vector<PoseConstraint>& present,
+                                              const PoseConstraint& query) const;
 
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, small motions of `to`
   /// expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first order.
@@ -63,14 +69,17 @@ class GaussianField {
   struct ConstraintView;
 
   [[nodiscard]] ConstraintView view_of(const PoseConstraint& constraint) const;
+  [[nodiscard]] Eigen::MatrixXd columns_of(const ConstraintView& view) const;
   [[nodiscard]] const Pose2& pose(int node) const;
   [[nodiscard]] LinearPotential linear(const PoseConstraint& constraint) const;
+  void find_all_among(const std::vector<PoseConstraint>& present) const;
   void change_sums(const PoseConstraint& constraint, const LinearPotential& potential, double sign);
 
   std::vector<Pose2> poses_;  // the linearisation point
   NormalEquations equations_;
   Eigen::VectorXd b_;
   double objective_at_linearisation_ = 0.0;
+  bool was_changed_ = false;  // since the factorisation
   // Computed on demand, invalidated when the field changes.
   mutable Eigen::VectorXd mode_;
   mutable std::vector<Eigen::Matrix3d> marginals_;

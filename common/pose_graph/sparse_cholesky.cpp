@@ -224,9 +224,11 @@ class BlockFactor {
     for (int b = 0; b < blocks_; ++b) append(L, b);
   }
 
-  /// Diagonal blocks of the inverse Z: from Z = D⁻¹ U⁻¹ + Z (I − Uᵀ)… restricted to the pattern,
-  /// Z_ij = −Σ_k Z_ik U_kj and Z_jj = D_j⁻¹ − Σ_k U_kjᵀ Z_kj, columns from the last to the first.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonal() const {
+  /// The blocks of the inverse Z on the diagonal and at `pairs`, (row, column) below it: from Z =
+  /// D⁻¹ U⁻¹ + Z (I − Uᵀ)… restricted to the pattern, Z_ij = −Σ_k Z_ik U_kj and Z_jj = D_j⁻¹ − Σ_k
+  /// U_kjᵀ Z_kj, columns from the last to the first.
+  [[nodiscard]] SparseCholesky::SelectedInverse inverse(
+      const std::vector<std::array<int, 2>>& pairs) const {
     std::vector<Eigen::Matrix3d> diagonal(at(blocks_));
     std::vector<Eigen::Matrix3d> Z(U_.size());
     std::vector<int> place(at(blocks_), -1);
@@ -251,7 +253,16 @@ class BlockFactor {
         place[at(rows_[at(k)])] = -1;
       }
     }
-    return diagonal;
+    std::vector<Eigen::Matrix3d> selected;
+    selected.reserve(pairs.size());
+    for (const auto& [row, column] : pairs) {
+      const auto begin = rows_.begin() + start_[at(column)];
+      const auto end = rows_.begin() + start_[at(column) + 1];
+      const auto found = std::lower_bound(begin, end, row);
+      require(found != end && *found == row, "a pair outside the pattern");
+      selected.push_back(Z[static_cast<std::size_t>(found - rows_.begin())]);
+    }
+    return {std::move(diagonal), std::move(selected)};
   }
 
  private:
@@ -383,6 +394,7 @@ bool SparseCholesky::factorise() {
   cholmod_sparse A = view(static_cast<int>(cholmod_->L->n), cholmod_->columns, values_);
   A.stype = 1;
   cholmod_factorize(&A, cholmod_->L, cholmod_->common.get());
+  negative_pivot_ = -1;
   const bool factorised = cholmod_->common.positive_definite();
   if (!factorised) weakest_block_ = block_at_[cholmod_->L->minor / at(block_size_)];
   cholmod_->has_factor = factorised && check_pivots();
@@ -399,6 +411,7 @@ bool SparseCholesky::check_pivots() {
     const double before = values_[place.first + c * place.stride + triangular(c) + c];
     if (L.pivot(j) > kPivotMin * before) continue;
     weakest_block_ = block;
+    if (L.pivot(j) < -kPivotMin * std::abs(before)) negative_pivot_ = j;
     return false;
   }
   return true;
@@ -406,6 +419,25 @@ bool SparseCholesky::check_pivots() {
 
 bool SparseCholesky::has_factor() const { return cholmod_->has_factor; }
 int SparseCholesky::weakest_block() const { return weakest_block_; }
+
+/// The columns before the negative pivot d_j are a valid part of L D Lᵀ, so that v with Lᵀ v = e_j
+/// has vᵀ A v = d_j.
+Eigen::VectorXd SparseCholesky::negative_curvature() const {
+  if (negative_pivot_ < 0) return {};
+  const FactorView L(*cholmod_->L);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(L.n);
+  v[negative_pivot_] = 1.0;
+  for (int j = negative_pivot_ - 1; j >= 0; --j) {
+    for (int k = L.start[j] + 1; k < L.start[j] + L.count[j]; ++k)
+      v[j] -= L.values[k] * v[L.rows[k]];
+  }
+  Eigen::VectorXd result(L.n);
+  for (std::size_t i = 0; i < position_.size(); ++i) {
+    result.segment(row(static_cast<int>(i)), block_size_) =
+        v.segment(row(position_[i]), block_size_);
+  }
+  return result;
+}
 
 Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const {
   require(has_factor(), "solve without a factor");
@@ -495,12 +527,26 @@ Eigen::MatrixXd SparseCholesky::inverse_among(const std::vector<int>& blocks) co
 }
 
 std::vector<Eigen::Matrix3d> SparseCholesky::inverse_diagonal() const {
-  require(has_factor(), "the diagonal of the inverse without a factor");
+  return selected_inverse({}).diagonal;
+}
+
+SparseCholesky::SelectedInverse SparseCholesky::selected_inverse(
+    const std::vector<std::array<int, 2>>& pairs) const {
+  require(has_factor(), "a part of the inverse without a factor");
   require(block_size_ == 3, "the recursion is written for blocks of three");
-  const std::vector<Eigen::Matrix3d> permuted =
-      BlockFactor(FactorView(*cholmod_->L)).inverse_diagonal();
-  std::vector<Eigen::Matrix3d> result;
-  for (const int position : position_) result.push_back(permuted[at(position)]);
+  std::vector<std::array<int, 2>> below;  // in the order of elimination
+  for (const auto& [a, b] : pairs) {
+    const auto [column, row] = std::minmax(position_[at(a)], position_[at(b)]);
+    below.push_back({row, column});
+  }
+  SelectedInverse permuted = BlockFactor(FactorView(*cholmod_->L)).inverse(below);
+  SelectedInverse result;
+  for (const int position : position_) result.diagonal.push_back(permuted.diagonal[at(position)]);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool first_is_row = position_[at(pairs[k][0])] == below[k][0];
+    if (!first_is_row) permuted.pairs[k].transposeInPlace();
+  }
+  result.pairs = std::move(permuted.pairs);
   return result;
 }
 

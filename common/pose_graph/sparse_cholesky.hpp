@@ -69,6 +69,9 @@ class SparseCholesky {
   [[nodiscard]] bool has_factor() const;
   /// The block at which the last factorisation failed.
   [[nodiscard]] int weakest_block() const;
+  /// A vector v with vᵀ A v < 0, after `factorise` failed at a negative pivot; empty if the pivot
+  /// was zero to rounding.
+  [[nodiscard]] Eigen::VectorXd negative_curvature() const;
 
   /// A⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
@@ -91,6 +94,14 @@ class SparseCholesky {
   /// 1973; Björck, "Numerical methods for least squares problems", 1996, section 6.7.4). Block size
   /// 3 only.
   [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonal() const;
+
+  /// The same with the blocks of A⁻¹ at these pairs, which must be in the pattern of A.
+  struct SelectedInverse {
+    std::vector<Eigen::Matrix3d> diagonal;
+    std::vector<Eigen::Matrix3d> pairs;  ///< at (pair[0], pair[1])
+  };
+  [[nodiscard]] SelectedInverse selected_inverse(
+      const std::vector<std::array<int, 2>>& pairs) const;
 
   /// Number of entries of L.
   [[nodiscard]] std::size_t factor_entries() const;
@@ -117,6 +128,7 @@ class SparseCholesky {
   std::unique_ptr<Cholmod> cholmod_;
   double* values_ = nullptr;  // of the upper triangle of P A Pᵀ, by columns
   int weakest_block_ = -1;
+  int negative_pivot_ = -1;  // column of the first one, or −1
 };
 
 }  // namespace adit

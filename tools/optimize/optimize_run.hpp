@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/pose_graph/certified_optimum.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
@@ -53,11 +54,15 @@ struct OptimizeRun {
   OptimizeResult result;
   PhaseStopwatch stopwatch;
   std::optional<LoopDecisions> loops;  ///< nothing if all are accepted without association
+  std::optional<Certificate> certificate;
+  double certify_ms = 0.0;
 };
 
-/// Finds the poses of a file that minimise the objective over all constraints. Throws
-/// std::runtime_error, with the id of a pose, if the constraints do not determine the poses.
-OptimizeRun optimize_all(G2oGraph& file);
+/// Finds the poses of a file that minimise the objective over all constraints. With `certify`, or
+/// where a residual is implausible (has_implausible_residual), the minimum is certified, which may
+/// lead to a better one. Throws std::runtime_error, with the id of a pose, if the constraints do
+/// not determine the poses.
+OptimizeRun optimize_all(G2oGraph& file, bool certify = false);
 
 /// Removes the loop closures that lazy data association rejects (associate_loops_lazily), then
 /// optimises the rest. Also throws if there is a gap in the odometry, the constraints between

@@ -24,7 +24,7 @@ PoseConstraint shifted(const PoseConstraint& c, const Hypothesis& hypothesis, in
 }  // namespace
 
 AssociationProblem::Checkpoint AssociationProblem::checkpoint() const {
-  return {odometry.maps(), loop_closures.size(), group_count};
+  return {odometry.maps(), loop_closures.size(), group_count()};
 }
 
 std::vector<LoopClosure> AssociationProblem::roll_back(const Checkpoint& checkpoint) {
@@ -36,8 +36,17 @@ std::vector<LoopClosure> AssociationProblem::roll_back(const Checkpoint& checkpo
   loop_closures.erase(first, loop_closures.end());
   groups.resize(checkpoint.loop_closures);
   plausible.resize(checkpoint.loop_closures);
-  group_count = checkpoint.group_count;
+  members.resize(as_index(checkpoint.group_count));
+  for (std::vector<int>& group : members) {
+    std::erase_if(group, [&](int k) { return as_index(k) >= checkpoint.loop_closures; });
+  }
   return removed;
+}
+
+void AssociationProblem::add_to_group(int group) {
+  if (group == group_count()) members.emplace_back();
+  members[as_index(group)].push_back(static_cast<int>(groups.size()));
+  groups.push_back(group);
 }
 
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,

@@ -23,8 +23,15 @@ struct AssociationProblem {
   /// Group of each loop closure. Loop closures of a group are adjacent at both ends, and so are
   /// likely to be correct or wrong together.
   std::vector<int> groups;
+  std::vector<std::vector<int>> members;  ///< loop closures of each group, in order
   std::vector<bool> plausible;  ///< of each loop closure: whether the odometry alone allows it
-  int group_count = 0;
+
+  [[nodiscard]] int group_count() const { return static_cast<int>(members.size()); }
+  [[nodiscard]] const std::vector<int>& members_of_group_of(int loop_closure) const {
+    return members[as_index(groups[as_index(loop_closure)])];
+  }
+  /// Puts the next loop closure into a group; the number of groups makes a new one.
+  void add_to_group(int group);
 
   /// The size of the problem at some time.
   struct Checkpoint {

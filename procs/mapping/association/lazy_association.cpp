@@ -13,8 +13,10 @@ namespace {
 
 constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsRevokedMax = 3;      // by one revision
+constexpr int kGroupsRevokedMax = 6;      // by one revision
 constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
+constexpr std::size_t kTogetherMin = 8;   // loop closures accepted by one optimisation
+constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expected chi-square
 constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
 
 std::string reason_of(const Association& a) {
@@ -44,17 +46,71 @@ void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix
 
 std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_closures,
                                                  std::int64_t utime) {
-  std::vector<Association> record;
-  for (LoopClosure& loop_closure : loop_closures) {
-    const int added = append(std::move(loop_closure));
-    const std::vector<int> before = hypothesis_.chosen;
+  std::vector<int> added;
+  added.reserve(loop_closures.size());
+  for (LoopClosure& loop_closure : loop_closures) added.push_back(append(std::move(loop_closure)));
+  const std::vector<int> before = hypothesis_.chosen;
+  if (params_.best_first) accept_likely(added);
+  for (const int k : added) {
+    if (trial().chosen(k) != Association::kNone) continue;
     // Maximum likelihood; if all alternatives are unlikely, backtrack in the tree (section 2.2).
-    if (!choose_most_likely(trial(), added) && search_is_due(added)) {
-      if (auto better = search(added)) set_hypothesis(std::move(*better));
+    if (!choose_most_likely(trial(), k) && search_is_due(k)) {
+      if (auto better = search(k)) set_hypothesis(std::move(*better));
     }
-    record_changes(record, utime, before, before.size() - 1);
   }
+  std::vector<Association> record;
+  if (!added.empty()) record_changes(record, utime, before, as_index(added.front()));
   return record;
+}
+
+/// Accepts likely loop closures together, and then those that are likely with them.
+void LazyAssociation::accept_likely(std::vector<int> loop_closures) {
+  while (accept_together(loop_closures) > 0) {
+    std::erase_if(loop_closures, [&](int k) { return trial().chosen(k) != Association::kNone; });
+  }
+}
+
+/// Accepts those that are likely, each alone and all of them together. Returns their number. Fewer
+/// than kTogetherMin are left to the caller: an update of the factor for each is cheaper.
+std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closures) {
+  if (loop_closures.size() < kTogetherMin) return 0;
+  std::vector<std::array<int, 2>> choices;
+  for (const int k : loop_closures) {
+    const int alternative = most_likely(trial(), k);
+    if (alternative != Association::kNone) choices.push_back({k, alternative});
+  }
+  if (choices.size() < kTogetherMin) return 0;
+  if (accept_if_consistent(choices, false) || accept_if_consistent(choices, true)) {
+    return choices.size();
+  }
+  ++disagreements_;
+  std::vector<int> likely;
+  for (const auto& [k, alternative] : choices) likely.push_back(k);
+  const auto middle = likely.begin() + static_cast<std::ptrdiff_t>(likely.size() / 2);
+  const std::size_t first = accept_together({likely.begin(), middle});
+  return first + accept_together({middle, likely.end()});
+}
+
+/// Accepts them unless one does not fit then, or the objective rises by more than their
+/// measurement errors explain.
+bool LazyAssociation::accept_if_consistent(const std::vector<std::array<int, 2>>& choices,
+                                           bool from_scratch) {
+  Trial together(problem_, trial().hypothesis());
+  const double before = together.objective();
+  together.accept(choices, from_scratch);
+  const double explained =
+      params_.gate * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
+  if (!(together.objective() - before <= explained)) return false;
+  std::vector<int> accepted;
+  for (const auto& [k, alternative] : choices) accepted.push_back(k);
+  const auto without = together.leave_one_out(
+      accepted,
+      constraint_of(problem_.loop_closures[as_index(accepted.front())], choices.front()[1]));
+  const bool misfit = std::ranges::any_of(
+      without, [&](const auto& one) { return one.objective_decrease > params_.gate; });
+  if (misfit) return false;
+  trial_.emplace(problem_, together.hypothesis());
+  return true;
 }
 
 Trial& LazyAssociation::trial() {
@@ -196,8 +252,8 @@ int LazyAssociation::append(LoopClosure loop_closure) {
 /// Adds a loop closure to the problem, but to no hypothesis.
 void LazyAssociation::add_to_problem(LoopClosure loop_closure) {
   const int group = group_of(loop_closure);
-  problem_.groups.push_back(group >= 0 ? group : problem_.group_count++);
   loop_closure.id = static_cast<int>(problem_.loop_closures.size());
+  problem_.add_to_group(group >= 0 ? group : problem_.group_count());
   bool plausible = false;
   for (int a = 0; a < static_cast<int>(loop_closure.alternatives.size()); ++a) {
     plausible |= disagreement(problem_.odometry, constraint_of(loop_closure, a)) <
@@ -223,13 +279,10 @@ int LazyAssociation::group_of(const LoopClosure& loop_closure) const {
 
 /// The cost of rejecting a loop closure: higher if another of its group is chosen.
 double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
-  const int group = problem_.groups[as_index(loop_closure)];
-  for (std::size_t k = 0; k < problem_.groups.size(); ++k) {
-    if (problem_.groups[k] == group && trial.chosen(static_cast<int>(k)) != Association::kNone) {
-      return params_.gate_supported;
-    }
-  }
-  return params_.gate;
+  const std::vector<int>& group = problem_.members_of_group_of(loop_closure);
+  const bool supported =
+      std::ranges::any_of(group, [&](int k) { return trial.chosen(k) != Association::kNone; });
+  return supported ? params_.gate_supported : params_.gate;
 }
 
 /// −2 log-likelihood up to a constant: the objective (section 2.3) and the costs of the decisions.
@@ -243,8 +296,8 @@ double LazyAssociation::cost(const Hypothesis& hypothesis) const {
   return cost;
 }
 
-/// Chooses the alternative that costs least, if that is less than rejecting the loop closure.
-bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
+/// The alternative that costs least, if that is less than rejecting the loop closure.
+int LazyAssociation::most_likely(Trial& trial, int loop_closure) const {
   const LoopClosure& c = problem_.loop_closures[as_index(loop_closure)];
   double least = gate(trial, loop_closure);
   int best = Association::kNone;
@@ -254,6 +307,11 @@ bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
     least = objective_increase;
     best = a;
   }
+  return best;
+}
+
+bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
+  const int best = most_likely(trial, loop_closure);
   if (best == Association::kNone) return false;
   trial.accept(loop_closure, best);
   return true;
@@ -292,13 +350,12 @@ void LazyAssociation::record_changes(std::vector<Association>& record, std::int6
 /// that the odometry excludes.
 bool LazyAssociation::search_is_due(int loop_closure) {
   if (!problem_.plausible[as_index(loop_closure)]) return false;
-  const int group = problem_.groups[as_index(loop_closure)];
   int contradictions = 0;
-  for (int k = 0; k <= loop_closure; ++k) {
-    if (problem_.groups[as_index(k)] != group || !problem_.plausible[as_index(k)]) continue;
+  for (const int k : problem_.members_of_group_of(loop_closure)) {
+    if (k > loop_closure || !problem_.plausible[as_index(k)]) continue;
     contradictions += trial_->chosen(k) == Association::kNone ? 1 : 0;
   }
-  int& due = search_threshold_[group];
+  int& due = search_threshold_[problem_.groups[as_index(loop_closure)]];
   if (contradictions < due) return false;
   due = 2 * contradictions;
   return true;

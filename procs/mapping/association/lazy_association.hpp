@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -70,8 +71,10 @@ class LazyAssociation {
   /// first call, both are ignored.
   void add_map(const Pose2& T_previous_local, const Eigen::Matrix3d& information);
 
-  /// Decides the loop closures of the newest map, and revises earlier decisions if necessary.
-  /// Returns the decisions in order; `utime` is that of the newest measurement.
+  /// Decides loop closures, usually those of the newest map, and revises earlier decisions if
+  /// necessary. Returns the decisions in order; `utime` is that of the newest measurement. Eight or
+  /// more that are likely are accepted by one optimisation; where they do not agree with each
+  /// other, by halves.
   std::vector<Association> decide(std::vector<LoopClosure> loop_closures, std::int64_t utime);
 
   /// The current hypothesis, for further queries.
@@ -105,6 +108,8 @@ class LazyAssociation {
   [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
   /// Number of hypotheses evaluated in searches so far.
   [[nodiscard]] int trials() const { return trials_; }
+  /// Number of times that likely loop closures did not agree with each other so far.
+  [[nodiscard]] int disagreements() const { return disagreements_; }
 
  private:
   struct Revision;
@@ -113,7 +118,11 @@ class LazyAssociation {
   void add_to_problem(LoopClosure loop_closure);
   [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
 
+  [[nodiscard]] int most_likely(Trial& trial, int loop_closure) const;
   bool choose_most_likely(Trial& trial, int loop_closure) const;
+  void accept_likely(std::vector<int> loop_closures);
+  std::size_t accept_together(const std::vector<int>& loop_closures);
+  bool accept_if_consistent(const std::vector<std::array<int, 2>>& choices, bool from_scratch);
   [[nodiscard]] double gate(const Trial& trial, int loop_closure) const;
   [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
 
@@ -141,6 +150,7 @@ class LazyAssociation {
   std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
   int trials_ = 0;
+  int disagreements_ = 0;
 };
 
 }  // namespace adit

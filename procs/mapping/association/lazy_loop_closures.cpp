@@ -16,6 +16,9 @@ namespace adit {
 namespace {
 
 constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: weight 1/4
+// Loop closures decided together; more where they agree, fewer where they do not.
+constexpr std::size_t kBatchFirst = 16;
+constexpr std::size_t kBatchMax = 1024;
 constexpr int kReweightings = 30;
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
@@ -72,6 +75,15 @@ class CondensedChain {
   }
 
   [[nodiscard]] int node(int pose) const { return node_[as_index(pose)]; }
+
+  /// The constraint as a loop closure with one alternative.
+  [[nodiscard]] LoopClosure loop_closure(const PoseGraph& graph, int constraint) const {
+    const PoseConstraint loop = forward(graph.constraints[as_index(constraint)]);
+    LoopClosure loop_closure;
+    loop_closure.newer_map = node(loop.to);
+    loop_closure.alternatives = {{node(loop.from), loop.T_from_to, loop.information, 0.0}};
+    return loop_closure;
+  }
 
   void add_odometry(const PoseGraph& graph, const ConstraintSplit& parts,
                     LazyAssociation& association) const {
@@ -149,19 +161,23 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   const CondensedChain condensed_chain(graph, parts);
   LazyAssociation association(params);
   condensed_chain.add_odometry(graph, parts, association);
-  for (const int k : parts.loops) {
-    const PoseConstraint loop = forward(graph.constraints[as_index(k)]);
-    LoopClosure loop_closure;
-    loop_closure.newer_map = condensed_chain.node(loop.to);
-    loop_closure.alternatives = {
-        {condensed_chain.node(loop.from), loop.T_from_to, loop.information, 0.0}};
-    result.constraint_of_loop_closure.push_back(k);
-    const auto decided = association.decide({std::move(loop_closure)}, 0);
-    result.history.insert(result.history.end(), decided.begin(), decided.end());
-    if (progress) {
-      progress(static_cast<double>(result.constraint_of_loop_closure.size()) /
-               static_cast<double>(parts.loops.size()));
+  std::size_t batch = params.best_first ? kBatchFirst : 1;
+  while (result.constraint_of_loop_closure.size() < parts.loops.size()) {
+    const std::size_t done = result.constraint_of_loop_closure.size();
+    const std::size_t end = std::min(done + batch, parts.loops.size());
+    std::vector<LoopClosure> loop_closures;
+    for (std::size_t i = done; i < end; ++i) {
+      loop_closures.push_back(condensed_chain.loop_closure(graph, parts.loops[i]));
+      result.constraint_of_loop_closure.push_back(parts.loops[i]);
     }
+    const int disagreements = association.disagreements();
+    const auto decided = association.decide(std::move(loop_closures), 0);
+    result.history.insert(result.history.end(), decided.begin(), decided.end());
+    if (params.best_first) {
+      const bool agreed = association.disagreements() == disagreements;
+      batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
+    }
+    if (progress) progress(static_cast<double>(end) / static_cast<double>(parts.loops.size()));
   }
   const auto reconsidered = association.reconsider(0);
   result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());

@@ -10,7 +10,9 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kSinglesMax = 3;  // single loop closures tried
+constexpr std::size_t kSinglesMax = 3;   // single loop closures tried
+constexpr std::size_t kCoupledMax = 40;  // loop closures of which the influence is computed
+constexpr std::size_t kGroupsMax = 3;    // contradicted groups that a search may revoke
 
 /// An interval of the chain, by its first and last map.
 struct ChainInterval {
@@ -55,17 +57,20 @@ class RevisionSearch {
   }
 
   std::vector<RevisionCandidate> run() {
-    add(contradicting_loop_closures());
-    const auto without = trial_.leave_one_out(chosen_, query());
+    const std::vector<int> contradicting = contradicting_loop_closures();
+    if (is_hopeless(contradicting)) return {};
+    add(contradicting);
+    const std::vector<int> coupled = trial_.most_coupled(chosen_, query(), kCoupledMax);
+    const auto without = trial_.leave_one_out(coupled, query());
     std::vector<std::pair<double, int>> singles;
-    for (std::size_t i = 0; i < chosen_.size(); ++i) {
-      decrease_[chosen_[i]] = without[i].objective_decrease;
-      singles.emplace_back(without[i].increase, chosen_[i]);
+    for (std::size_t i = 0; i < coupled.size(); ++i) {
+      decrease_[coupled[i]] = without[i].objective_decrease;
+      singles.emplace_back(without[i].increase, coupled[i]);
     }
     std::sort(singles.begin(), singles.end());
     if (singles.size() > kSinglesMax) singles.resize(kSinglesMax);
     for (const auto& [increase, k] : singles) {
-      if (increase < gate_) add({k});
+      if (increase < gate_) add({k}, increase);
       add(group_of(k));
     }
     std::stable_sort(
@@ -111,6 +116,15 @@ class RevisionSearch {
     return found;
   }
 
+  /// Whether a search cannot pay: the loop closure contradicts so many of so many groups that
+  /// rejecting them costs more than all that agrees with it would gain. It is then wrong at random.
+  [[nodiscard]] bool is_hopeless(const std::vector<int>& contradicting) const {
+    std::set<int> groups;
+    for (const int k : contradicting) groups.insert(problem_.groups[as_index(k)]);
+    return groups.size() > kGroupsMax &&
+           contradicting.size() > 2 * (supporting_.size() + kGroupsMax);
+  }
+
   [[nodiscard]] std::vector<int> group_of(int loop_closure) const {
     std::vector<int> found;
     for (const int k : chosen_) {
@@ -120,9 +134,10 @@ class RevisionSearch {
     return found;
   }
 
-  void add(std::vector<int> loop_closures) {
+  /// `increase`: of the objective by the loop closure itself, at least.
+  void add(std::vector<int> loop_closures, double increase = 0.0) {
     if (loop_closures.empty() || !tried_.insert(loop_closures).second) return;
-    double bound = cost_ - gate_;  // the loop closure itself is no longer rejected
+    double bound = cost_ - gate_ + increase;  // the loop closure itself is no longer rejected
     for (const int k : loop_closures) {
       const bool has_others = problem_.loop_closures[as_index(k)].alternatives.size() > 1;
       if (!has_others) bound += gate_;

@@ -4,17 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
 
-#include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/pose_graph.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
+constexpr int kFewSteps = 15;      // to an optimum near the poses
 constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
 
 double largest_turn(const Eigen::VectorXd& mode) {
@@ -89,6 +90,30 @@ std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<i
   return field().leave_one_out(present, in_graph_from(query, hypothesis_, first_));
 }
 
+std::vector<int> Trial::most_coupled(const std::vector<int>& loop_closures,
+                                     const PoseConstraint& query, std::size_t most) {
+  if (loop_closures.size() <= most) return loop_closures;
+  std::vector<PoseConstraint> present;
+  for (const int k : loop_closures) present.push_back(chosen_constraint(k));
+  const std::vector<double> couplings =
+      field().couplings(present, in_graph_from(query, hypothesis_, first_));
+  std::vector<std::size_t> order(loop_closures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return couplings[a] > couplings[b]; });
+  std::vector<int> coupled;
+  for (std::size_t i = 0; i < most; ++i) coupled.push_back(loop_closures[order[i]]);
+  std::sort(coupled.begin(), coupled.end());
+  return coupled;
+}
+
+double Trial::energy_of(int loop_closure) {
+  const PoseConstraint c =
+      constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure));
+  return energy(c, residual(c, hypothesis_.T_map_local[as_index(c.from)],
+                            hypothesis_.T_map_local[as_index(c.to)]));
+}
+
 std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   if (map == 0) return {};
   const int shift = first_ > 0 ? first_ - 1 : 0;  // from a node to its map
@@ -125,6 +150,15 @@ void Trial::accept(int loop_closure, int alternative) {
   if (turn > kTurnMax) reoptimize(turn > kTurnFar);
 }
 
+void Trial::accept(const std::vector<std::array<int, 2>>& choices, bool from_scratch) {
+  hypothesis_ = hypothesis();
+  field_.reset();
+  for (const auto& [loop_closure, alternative] : choices) {
+    hypothesis_.chosen[as_index(loop_closure)] = alternative;
+  }
+  reoptimize(from_scratch, from_scratch ? OptimizeParams{}.iterations_max : kFewSteps);
+}
+
 void Trial::revoke(const std::vector<int>& loop_closures) {
   hypothesis_ = hypothesis();
   field_.reset();
@@ -132,13 +166,14 @@ void Trial::revoke(const std::vector<int>& loop_closures) {
   reoptimize();
 }
 
-void Trial::reoptimize(bool from_scratch) {
+void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_ = hypothesis();
   field_.reset();
   PoseGraph graph = graph_of(problem_, hypothesis_, first_);
   OptimizeParams params;
   params.rotation_initialization = from_scratch;
   params.tolerance = 1e-6;
+  params.iterations_max = iterations_max;
   hypothesis_.objective = fixed_ + optimize(graph, params).objective;
   set_poses(graph.poses, hypothesis_);
   hypothesis_.partially_optimized &= first_ > 0;

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "common/pose_graph/gaussian_field.hpp"
+#include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/association_problem.hpp"
 
 namespace adit {
@@ -43,6 +46,12 @@ class Trial {
   [[nodiscard]] std::vector<GaussianField::LeaveOneOut> leave_one_out(
       const std::vector<int>& loop_closures, const PoseConstraint& query);
 
+  /// Of these chosen loop closures the `most` whose removal may change the cost of `query` most.
+  [[nodiscard]] std::vector<int> most_coupled(const std::vector<int>& loop_closures,
+                                              const PoseConstraint& query, std::size_t most);
+  /// Energy of a chosen loop closure at the present poses.
+  [[nodiscard]] double energy_of(int loop_closure);
+
   /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the
   /// frame of `map`. Maps held fixed have no relative uncertainty.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
@@ -52,12 +61,15 @@ class Trial {
 
   /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);
+  /// Chooses alternatives of several undecided loop closures, (loop closure, alternative), by one
+  /// optimisation of all maps: of few steps from their poses, or `from_scratch`.
+  void accept(const std::vector<std::array<int, 2>>& choices, bool from_scratch);
   /// Revokes chosen loop closures.
   void revoke(const std::vector<int>& loop_closures);
 
   /// Moves the maps to the mode by iterated optimisation, not only to first order. `from_scratch`:
   /// with an initialisation independent of their poses, as after a large rotation.
-  void reoptimize(bool from_scratch = false);
+  void reoptimize(bool from_scratch = false, int iterations_max = OptimizeParams{}.iterations_max);
 
  private:
   [[nodiscard]] GaussianField& field();

@@ -9,11 +9,13 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "common/picture/map_picture.hpp"
 #include "tests/support/drives/parallel_drive.hpp"
@@ -109,7 +111,13 @@ void make_figure(const std::filesystem::path& folder, double bias) {
     before = drive.mapping().graph();
     before_m = drive.newest_error_m();
   }
-  if (!update) throw std::runtime_error("no loop closure was revoked");
+  if (!update) {
+    const PathError end = drive.error();
+    throw std::runtime_error(
+        fmt::format("no loop closure was revoked; at the end of the drive RMSE {:.2f} m, largest "
+                    "error {:.2f} m",
+                    end.rmse_m, end.farthest_m));
+  }
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   const double after_m = drive.newest_error_m();
 

@@ -22,6 +22,7 @@ struct OptimizeOptions {
   std::filesystem::path out;
   std::string loops = "all";
   std::string order = "best_first";
+  bool certify = false;
 };
 
 constexpr const char* kOptimizeDetails =
@@ -32,6 +33,13 @@ Input: g2o (VERTEX_SE2, EDGE_SE2) or TORO (VERTEX2, EDGE2), plain or gzip.
 
 Output: JSON on standard output with the objective, the steps, the factorizations and the computation
 times without reading and writing. --out writes the optimized graph as g2o.
+
+Global minimum:
+  --certify        prove that no poses have a smaller objective, or give a lower bound; if the first minimum
+                   is only a local one, find the global one by a semidefinite relaxation
+Without --certify this is done only where a residual is larger than noise explains. The output then
+includes global_minimum (proven or not proven), lower_bound, replaced_local_minimum and relaxation_rank (0 if
+the first minimum was proven).
 
 Loop closures:
   --loops all      accept every constraint
@@ -53,6 +61,7 @@ without it.
 constexpr const char* kOptimizeExamples =
     R"(  adit optimize intel.g2o                       print the figures
   adit optimize intel.g2o --out best.g2o        also write the optimized poses and the same constraints
+  adit optimize intel.g2o --certify             prove that the minimum is global
   adit optimize mine.g2o --loops lazy           find wrong loop closures
   adit optimize mine.g2o --loops lazy --out good.g2o
                                                 also write the graph without them, optimized)";
@@ -66,7 +75,8 @@ OptimizeRun run_lazy_association(G2oGraph& file, const OptimizeOptions& options)
 
 OptimizeRun run(G2oGraph& file, const OptimizeOptions& options) {
   try {
-    return options.loops == "lazy" ? run_lazy_association(file, options) : optimize_all(file);
+    return options.loops == "lazy" ? run_lazy_association(file, options)
+                                   : optimize_all(file, options.certify);
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("{}: {}", options.graph.string(), error.what()));
   }
@@ -94,12 +104,17 @@ void add_optimize_command(CLI::App& adit) {
   command->add_option("--loops", options->loops, "Loop closures to accept")
       ->check(CLI::IsMember({"all", "lazy"}))
       ->capture_default_str();
+  CLI::Option* certify =
+      command->add_flag("--certify", options->certify, "Prove that the minimum is global");
   CLI::Option* order =
       command
           ->add_option("--order", options->order, "Order in which --loops lazy revokes decisions")
           ->check(CLI::IsMember({"best_first", "threshold"}))
           ->capture_default_str();
-  command->callback([options, order] {
+  command->callback([options, order, certify] {
+    if (certify->count() > 0 && options->loops == "lazy") {
+      throw CLI::ValidationError("--certify", "requires --loops all");
+    }
     if (order->count() > 0 && options->loops != "lazy") {
       throw CLI::ValidationError("--order", "requires --loops lazy");
     }

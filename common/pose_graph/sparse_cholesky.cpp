@@ -3,6 +3,7 @@
 #include "common/pose_graph/sparse_cholesky.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <new>

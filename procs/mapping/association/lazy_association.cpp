@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsRevokedMax = 6;      // by one revision
+constexpr int kGroupsRevokedMax = 4;      // by one revision
 constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
 constexpr std::size_t kTogetherMin = 8;   // loop closures accepted by one optimisation
 constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expected chi-square

@@ -112,6 +112,8 @@ class Exploration {
   /// frontier is left, as is a frontier behind which nothing was observed; neither counts as
   /// complete.
   bool report_blocked(int frontier, const BlockedEvidence& evidence);
+  /// The planner found no path to a frontier: it is not explored until the robot has passed it.
+  void record_rejection(int frontier) { register_.record_rejection(frontier); }
   /// Reopens a frontier that the operator declares passable.
   bool reopen(int frontier, std::int64_t utime);
 

@@ -35,12 +35,12 @@ std::string one_line(std::string sentence) {
 
 std::string to_text(const StoredFrontier& frontier) {
   const auto& [s, track] = frontier;
-  return fmt::format("{} {} {:.17g} {} {} {} {} {:d} {} {:.17g} {} {} {:d} {} {} {}\n", s.id,
+  return fmt::format("{} {} {:.17g} {} {} {} {} {:d} {} {:.17g} {} {} {:d} {} {} {} {} {}\n", s.id,
                      s.local_map, s.width_m, static_cast<int>(s.state), s.utime,
                      text_of(track.p_local), text_of(track.direction_local), track.final,
                      track.stalls, track.path_length_min_m, text_of(track.p_map_at_min),
-                     track.closings, track.retried, text_of(s.p_map), text_of(s.direction_map),
-                     one_line(s.evidence));
+                     track.closings, track.retried, track.rejections, text_of(track.p_map_rejected),
+                     text_of(s.p_map), text_of(s.direction_map), one_line(s.evidence));
 }
 
 std::optional<StoredFrontier> frontier_from_text(std::string_view text) {
@@ -53,7 +53,8 @@ std::optional<StoredFrontier> frontier_from_text(std::string_view text) {
   get(in, track.direction_local);
   in >> track.final >> track.stalls >> track.path_length_min_m;
   get(in, track.p_map_at_min);
-  in >> track.closings >> track.retried;
+  in >> track.closings >> track.retried >> track.rejections;
+  get(in, track.p_map_rejected);
   get(in, s.p_map);
   get(in, s.direction_map);
   get_sentence(in, s.evidence);

@@ -157,15 +157,17 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
   pose_ = pose;
 }
 
-/// Without requests, repeated failed plans to the same target mark it as blocked.
+/// A rejected plan makes its frontier doubtful. Without requests, repeated failed plans to the same
+/// target mark it as blocked.
 void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
-  if (request_) return;
   const bool has_target = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
   const bool rejected = path.outcome == PlanOutcome::kBlocked ||
                         path.outcome == PlanOutcome::kUnknown ||
                         path.outcome == PlanOutcome::kNarrow;
   const bool is_rejection = rejected && path.reached_m < params_.no_path_m;
+  if (has_target && is_rejection) exploration_.record_rejection(decision_.frontier);
+  if (request_) return;
   if (!has_target || !is_rejection || decision_.frontier != no_path_frontier_) no_paths_ = 0;
   if (!has_target || !is_rejection) return;
   no_path_frontier_ = decision_.frontier;

@@ -13,6 +13,7 @@ namespace adit {
 namespace {
 
 constexpr double kNearerM = 1.0;  // less is no progress
+constexpr double kPassedM = 2.0;  // distance at which level lasers see the end of a corridor surely
 constexpr double kShiftM = 0.5;   // relative motion of local maps up to which they lie as before
 const double kAdvanceCosine =
     std::cos(1.0);  // of the angle by which a corridor may bend between updates
@@ -44,7 +45,7 @@ void FrontierRegister::update(const std::vector<DetectedFrontier>& detections,
     match(detections, posed, search, found, matched);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i] && !tracks_[i].final) close(i, *newest, utime);
+    if (!found[i] && !tracks_[i].final) close(i, posed, utime);
   }
   for (std::size_t k = 0; k < detections.size(); ++k) {
     if (matched[k]) continue;
@@ -117,9 +118,19 @@ void FrontierRegister::match(const std::vector<DetectedFrontier>& detections,
   }
 }
 
-/// The space behind it was observed. After `closings` times it is explored permanently.
-void FrontierRegister::close(std::size_t i, const PosedTile& newest, std::int64_t utime) {
+/// The space behind it was observed. After `closings` times it is explored permanently. Where the
+/// planner rejected it, level lasers may have taken rising ground or a roof for its end.
+void FrontierRegister::close(std::size_t i, const PosedSpace& posed, std::int64_t utime) {
   if (frontiers_[i].state == FrontierState::kExplored) return;
+  const PosedTile& newest = posed.newest;
+  const bool was_rejected = tracks_[i].rejections >= params_.rejections;
+  if (was_rejected && posed.space.driven_distance_m(tracks_[i].p_map_rejected) > kPassedM) {
+    return set(frontiers_[i], FrontierState::kUnconfirmed,
+               fmt::format("{} plans found no path to it, and only level lasers show its end, in "
+                           "local map {}",
+                           tracks_[i].rejections, newest.id),
+               utime);
+  }
   set(frontiers_[i], FrontierState::kExplored,
       fmt::format("the space behind it was observed by local map {}", newest.id), utime);
   tracks_[i].final = ++tracks_[i].closings >= params_.closings;
@@ -220,6 +231,12 @@ void FrontierRegister::record_pursuit(int frontier, double path_length_m, int lo
       utime);
 }
 
+void FrontierRegister::record_rejection(int frontier) {
+  if (find(frontier) == nullptr) return;
+  FrontierTrack& track = tracks_[static_cast<std::size_t>(frontier)];
+  if (track.rejections++ == 0) track.p_map_rejected = find(frontier)->p_map;
+}
+
 bool FrontierRegister::block(int frontier, bool unconfirmed, std::string evidence,
                              std::int64_t utime) {
   if (find(frontier) == nullptr || find(frontier)->state == FrontierState::kExplored) return false;
@@ -248,6 +265,7 @@ bool FrontierRegister::reopen(int frontier, std::string evidence, std::int64_t u
   tracks_[i].final = false;
   tracks_[i].stalls = 0;
   tracks_[i].closings = 0;
+  tracks_[i].rejections = 0;
   tracks_[i].path_length_min_m = FrontierTrack::kNever;
   if (frontiers_[i].state != FrontierState::kExplored) {
     set(frontiers_[i], FrontierState::kOpen, std::move(evidence), utime);

@@ -19,6 +19,9 @@ struct FrontierRegisterParams {
   double match_m = 2.0;             ///< distance over which a frontier is matched to a detection
   double advance_m = 12.0;          ///< largest advance along its corridor per update
   int closings = 3;  ///< times it is explored, after which a detection there is a seam of the map
+  /// Plans without a path, after which returns of level lasers alone do not close a frontier that
+  /// the robot has not passed.
+  int rejections = 2;
   int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
 
   template <class V>
@@ -27,6 +30,7 @@ struct FrontierRegisterParams {
     v("match_m", match_m, within(0.2, 20.0));
     v("advance_m", advance_m, within(0.0, 100.0));
     v("closings", closings, at_least(1));
+    v("rejections", rejections, at_least(1));
     v("stalls", stalls, at_least(1));
   }
 };
@@ -37,12 +41,14 @@ struct FrontierTrack {
 
   Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is anchored to
   Eigen::Vector2d direction_local{1.0, 0.0};
-  bool final = false;                      ///< its state no longer depends on its access
-  int stalls = 0;                          ///< local maps in a row without progress towards it
-  double path_length_min_m = kNever;       ///< least path length to it in this pursuit
-  Eigen::Vector2d p_map_at_min{0.0, 0.0};  ///< its p_map at that time
-  int closings = 0;                        ///< how often it became explored
-  bool retried = false;                    ///< abandoned or presumed blocked before, and reopened
+  bool final = false;                        ///< its state no longer depends on its access
+  int stalls = 0;                            ///< local maps in a row without progress towards it
+  double path_length_min_m = kNever;         ///< least path length to it in this pursuit
+  Eigen::Vector2d p_map_at_min{0.0, 0.0};    ///< its p_map at that time
+  int closings = 0;                          ///< how often it became explored
+  bool retried = false;                      ///< abandoned or presumed blocked before, and reopened
+  int rejections = 0;                        ///< plans to it that found no path
+  Eigen::Vector2d p_map_rejected{0.0, 0.0};  ///< its p_map at the first of them
 
   friend bool operator==(const FrontierTrack&, const FrontierTrack&) = default;
 };
@@ -71,7 +77,8 @@ class FrontierRegister {
     FrontierState state = FrontierState::kBlocked;
     std::string evidence;
   };
-  /// Matches the detections to the frontiers. Frontiers without a detection become explored;
+  /// Matches the detections to the frontiers. Frontiers without a detection become explored, or
+  /// unconfirmed if the planner found no path to them before;
   /// frontiers behind a barrier get the state and evidence of the nearest one. Without a posed
   /// local map nothing is known, and nothing changes.
   void update(const std::vector<DetectedFrontier>& detections, const KnownSpace& space,
@@ -83,6 +90,9 @@ class FrontierRegister {
   /// `path_length_m` from it. A frontier that comes no nearer and does not move is abandoned:
   /// water, open air, or no path after all.
   void record_pursuit(int frontier, double path_length_m, int local_map, std::int64_t utime);
+
+  /// The planner found no path to the frontier.
+  void record_rejection(int frontier);
 
   /// Marks a frontier as blocked, or as unconfirmed. Returns false if there is no such frontier, or
   /// if it is explored.
@@ -132,7 +142,7 @@ class FrontierRegister {
   void match(const std::vector<DetectedFrontier>& detections, const PosedSpace& posed,
              Search search, std::vector<bool>& found, std::vector<bool>& matched);
   void add(const DetectedFrontier& detection, const PosedSpace& posed, std::int64_t utime);
-  void close(std::size_t frontier, const PosedTile& newest, std::int64_t utime);
+  void close(std::size_t frontier, const PosedSpace& posed, std::int64_t utime);
   [[nodiscard]] bool is_seam(std::size_t frontier, const DetectedFrontier& detection,
                              const KnownSpace& space) const;
   void confirm_closed(const std::vector<DetectedFrontier>& detections, const PosedTile& newest);

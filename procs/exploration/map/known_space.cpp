@@ -437,6 +437,17 @@ std::optional<PosedTile> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const
   return best;
 }
 
+double KnownSpace::driven_distance_m(const Eigen::Vector2d& p_map) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  const int layer = atlas_.layer_of(p_map);
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local || !entry.is_in(layer)) continue;
+    const Eigen::Vector2d p_local = in_atlas(entry, layer).inverse() * p_map;
+    for (const auto& p : entry.tile.path) nearest = std::min(nearest, (p - p_local).norm());
+  }
+  return nearest;
+}
+
 std::optional<int> KnownSpace::newest_at(const Eigen::Vector2d& p_map) const {
   const int layer = atlas_.layer_of(p_map);
   for (auto each = entries_.rbegin(); each != entries_.rend(); ++each) {

@@ -100,6 +100,8 @@ class KnownSpace {
   /// m.
   [[nodiscard]] std::optional<PosedTile> tile_at(const Eigen::Vector2d& p_map) const;
 
+  /// Distance of a point from where the body has been, in its layer [m]; infinite if nowhere.
+  [[nodiscard]] double driven_distance_m(const Eigen::Vector2d& p_map) const;
   /// Id of the newest tile that observed this point as free; empty if there is none.
   [[nodiscard]] std::optional<int> newest_at(const Eigen::Vector2d& p_map) const;
 

@@ -49,6 +49,51 @@ class ClosedFrontier : public testing::Test {
   std::int64_t utime_ = kUtime;
 };
 
+/// A frontier that the planner rejected before local map 1 closed it.
+class RejectedFrontier : public ClosedFrontier {
+ protected:
+  RejectedFrontier() {
+    poses_.pop_back();
+    space_ = KnownSpace{KnownSpaceParams{}};
+    frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+    poses_.clear();
+    scan_from({4.0, 0.0, 0.0});
+    update({{kEnd}});
+  }
+  void reject(int times) {
+    for (int i = 0; i < times; ++i) frontiers_.record_rejection(0);
+  }
+};
+
+TEST_F(RejectedFrontier, IsUnconfirmedUntilTheRobotHasPassedIt) {
+  reject(2);
+  scan_from({7.0, 0.0, 0.0});
+  update({});
+  EXPECT_EQ(state(), FrontierState::kUnconfirmed);
+  EXPECT_EQ(frontiers_.find(0)->evidence,
+            "2 plans found no path to it, and only level lasers show its end, in local map 1");
+  scan_from({9.0, 0.0, 0.0});
+  update({});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+}
+
+TEST_F(RejectedFrontier, IsExploredAfterASingleRejection) {
+  reject(1);
+  scan_from({7.0, 0.0, 0.0});
+  update({});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+}
+
+TEST_F(RejectedFrontier, IsUnconfirmedAfterARestart) {
+  reject(2);
+  const std::vector<StoredFrontier> stored = frontiers_.stored_frontiers();
+  frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+  frontiers_.restore(stored);
+  scan_from({7.0, 0.0, 0.0});
+  update({});
+  EXPECT_EQ(state(), FrontierState::kUnconfirmed);
+}
+
 TEST_F(ClosedFrontier, IsExplored) {
   EXPECT_EQ(state(), FrontierState::kExplored);
   EXPECT_EQ(frontiers_.find(0)->evidence, "the space behind it was observed by local map 1");

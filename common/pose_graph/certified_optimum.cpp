@@ -51,11 +51,7 @@ class Certification {
 
   Certificate run() {
     if (!holds_at_poses()) {
-      const LiftedPoses X = climb_staircase();
-      if (certificate_.rank > 0) {
-        adopt(rounded(X));
-        holds_at_poses();
-      }
+      if (adopt(rounded(climb_staircase()))) holds_at_poses();
     }
     certificate_.is_global = certificate_.objective - certificate_.lower_bound <=
                              params_.gap_max * certificate_.objective + kTiny;
@@ -96,14 +92,11 @@ class Certification {
     LiftedPoses X = lifted(graph_.poses);
     for (int rank = 1; rank <= params_.rank_max; ++rank) {
       X = descend(relaxation_, std::move(X), params_.iterations_max).X;
+      certificate_.rank = rank;
       const CertificateCheck found = check(X, relaxation_.times(X));
-      if (found.holds || found.direction.size() == 0) {
-        certificate_.rank = rank;
-        break;
-      }
+      if (found.holds || found.direction.size() == 0) break;
       escape(X, found.direction);
     }
-    if (certificate_.rank == 0) certificate_.rank = params_.rank_max;
     return X;
   }
 
@@ -115,10 +108,7 @@ class Certification {
     for (double step = std::sqrt(static_cast<double>(X.rows())); step > kEscapeMin; step *= 0.5) {
       LiftedPoses moved(X.rows(), X.cols() + 1);
       moved << X, step * direction;
-      for (Eigen::Index i = 0; i < moved.rows(); i += 4) {
-        auto z = moved.middleRows<2>(i + 2);
-        z /= z.norm();
-      }
+      normalize_orientations(moved);
       if (relaxation_.times(moved).cwiseProduct(moved).sum() < value) {
         best = std::move(moved);
         break;
@@ -132,7 +122,7 @@ class Certification {
   }
 
   /// Minimises the objective from these poses, and keeps them if they are better.
-  void adopt(std::vector<Pose2> poses) {
+  bool adopt(std::vector<Pose2> poses) {
     PoseGraph other{std::move(poses), graph_.constraints};
     const Pose2 T_move = graph_.poses.front() * other.poses.front().inverse();
     for (Pose2& pose : other.poses) pose = T_move * pose;
@@ -140,10 +130,11 @@ class Certification {
     params.rotation_initialization = false;
     params.tolerance = kTolerance;
     const OptimizeResult result = optimize(other, params);
-    if (!result.converged || result.objective >= certificate_.objective) return;
+    if (!result.converged || result.objective >= certificate_.objective) return false;
     certificate_.objective = result.objective;
     certificate_.replaced = true;
     graph_.poses = std::move(other.poses);
+    return true;
   }
 
   PoseGraph& graph_;

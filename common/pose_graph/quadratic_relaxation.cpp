@@ -55,6 +55,13 @@ LiftedPoses lifted(const std::vector<Pose2>& poses) {
   return X;
 }
 
+void normalize_orientations(LiftedPoses& X) {
+  for (Eigen::Index i = 0; i < X.rows(); i += 4) {
+    auto z = X.middleRows<2>(i + 2);
+    z /= z.norm();
+  }
+}
+
 QuadraticRelaxation::QuadraticRelaxation(const PoseGraph& graph)
     : nodes_(static_cast<int>(graph.poses.size())) {
   pattern_.blocks = nodes_;
@@ -332,10 +339,7 @@ class TrustRegion {
     LiftedPoses before = X_;
     const double value_before = value_;
     X_ += eta;
-    for (Eigen::Index i = 0; i < X_.rows(); i += 4) {
-      auto z = X_.middleRows<2>(i + 2);
-      z /= z.norm();
-    }
+    normalize_orientations(X_);
     evaluate();
     const double ratio = (value_before - value_) / predicted;
     if (ratio > kAcceptMin && predicted > 0.0) return ratio;

@@ -19,6 +19,8 @@ namespace adit {
 using LiftedPoses = Eigen::MatrixXd;
 
 LiftedPoses lifted(const std::vector<Pose2>& poses);
+/// Returns to the spheres after a step.
+void normalize_orientations(LiftedPoses& X);
 
 /// A quadratic form that is nowhere above the objective of a pose graph: tr(Xᵀ M X) + β (Rosen,
 /// Carlone, Bandeira, Leonard, "SE-Sync", IJRR 2019; in the plane Carlone et al., "Planar pose

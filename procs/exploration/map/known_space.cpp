@@ -52,6 +52,13 @@ void mark_line(Grid2<Occupancy>& known, const Eigen::Vector2d& from, const Eigen
   }
 }
 
+/// Distance of a point from where the body has been in a local map [m].
+double path_distance_m(const LocalMapTile& tile, const Eigen::Vector2d& p_local) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& p : tile.path) distance = std::min(distance, (p - p_local).norm());
+  return distance;
+}
+
 }  // namespace
 
 void KnownSpace::add(int id, LocalMapTile tile) {
@@ -426,8 +433,7 @@ std::optional<PosedTile> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const
     if (best_is_own && !is_own) continue;
     const Pose2 T_map_local = in_atlas(entry, layer);
     const Eigen::Vector2d p_local = T_map_local.inverse() * p_map;
-    double distance = std::numeric_limits<double>::infinity();
-    for (const auto& p : entry.tile.path) distance = std::min(distance, (p - p_local).norm());
+    const double distance = path_distance_m(entry.tile, p_local);
     const double limit = is_own && !best_is_own ? kAnchorRadiusM : nearest;
     if (distance >= limit || !entry.tile.is_free(cell_of(p_local, resolution_m()))) continue;
     nearest = distance;
@@ -443,7 +449,7 @@ double KnownSpace::driven_distance_m(const Eigen::Vector2d& p_map) const {
   for (const auto& [id, entry] : entries_) {
     if (!entry.T_map_local || !entry.is_in(layer)) continue;
     const Eigen::Vector2d p_local = in_atlas(entry, layer).inverse() * p_map;
-    for (const auto& p : entry.tile.path) nearest = std::min(nearest, (p - p_local).norm());
+    nearest = std::min(nearest, path_distance_m(entry.tile, p_local));
   }
   return nearest;
 }

@@ -24,6 +24,13 @@ double largest_turn(const Eigen::VectorXd& mode) {
   return turn;
 }
 
+/// A covariance of (x, y, θ) in the frame of the older map, turned into that of the newer one.
+Eigen::Matrix3d in_frame_of_newer(const Eigen::Matrix3d& covariance, const Pose2& T_older_newer) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
+  return R * covariance * R.transpose();
+}
+
 }  // namespace
 
 Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first)
@@ -83,20 +90,23 @@ PoseConstraint Trial::chosen_constraint(int loop_closure) const {
       hypothesis_, first_);
 }
 
+std::vector<PoseConstraint> Trial::chosen_constraints(const std::vector<int>& loop_closures) const {
+  std::vector<PoseConstraint> constraints;
+  for (const int k : loop_closures) constraints.push_back(chosen_constraint(k));
+  return constraints;
+}
+
 std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<int>& loop_closures,
                                                              const PoseConstraint& query) {
-  std::vector<PoseConstraint> present;
-  for (const int k : loop_closures) present.push_back(chosen_constraint(k));
-  return field().leave_one_out(present, in_graph_from(query, hypothesis_, first_));
+  return field().leave_one_out(chosen_constraints(loop_closures),
+                               in_graph_from(query, hypothesis_, first_));
 }
 
 std::vector<int> Trial::most_coupled(const std::vector<int>& loop_closures,
                                      const PoseConstraint& query, std::size_t most) {
   if (loop_closures.size() <= most) return loop_closures;
-  std::vector<PoseConstraint> present;
-  for (const int k : loop_closures) present.push_back(chosen_constraint(k));
-  const std::vector<double> couplings =
-      field().couplings(present, in_graph_from(query, hypothesis_, first_));
+  const std::vector<double> couplings = field().couplings(
+      chosen_constraints(loop_closures), in_graph_from(query, hypothesis_, first_));
   std::vector<std::size_t> order(loop_closures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -107,23 +117,14 @@ std::vector<int> Trial::most_coupled(const std::vector<int>& loop_closures,
   return coupled;
 }
 
-double Trial::energy_of(int loop_closure) {
-  const PoseConstraint c =
-      constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure));
-  return energy(c, residual(c, hypothesis_.T_map_local[as_index(c.from)],
-                            hypothesis_.T_map_local[as_index(c.to)]));
-}
-
 std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   if (map == 0) return {};
   const int shift = first_ > 0 ? first_ - 1 : 0;  // from a node to its map
   const auto by_node = field().relative_covariances_to(map - shift);
   const std::vector<Pose2> nodes = field().poses();
   const auto in_newer = [&](int older) -> Eigen::Matrix3d {
-    const Pose2 T_older_newer = between(nodes[as_index(older)], nodes[as_index(map - shift)]);
-    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
-    return R * by_node[as_index(older)] * R.transpose();
+    return in_frame_of_newer(by_node[as_index(older)],
+                             between(nodes[as_index(older)], nodes[as_index(map - shift)]));
   };
   std::vector<Eigen::Matrix3d> covariances;
   covariances.reserve(as_index(map));
@@ -135,10 +136,8 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
 Eigen::Matrix3d Trial::covariance(int older, int map) {
   const auto node = [this](int m) { return std::max(0, m - (first_ > 0 ? first_ - 1 : 0)); };
   const std::vector<Pose2> nodes = field().poses();
-  const Pose2 T_older_newer = between(nodes[as_index(node(older))], nodes[as_index(node(map))]);
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
-  return R * field().relative_covariance(node(older), node(map)) * R.transpose();
+  return in_frame_of_newer(field().relative_covariance(node(older), node(map)),
+                           between(nodes[as_index(node(older))], nodes[as_index(node(map))]));
 }
 
 void Trial::accept(int loop_closure, int alternative) {

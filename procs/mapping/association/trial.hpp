@@ -49,8 +49,6 @@ class Trial {
   /// Of these chosen loop closures the `most` whose removal may change the cost of `query` most.
   [[nodiscard]] std::vector<int> most_coupled(const std::vector<int>& loop_closures,
                                               const PoseConstraint& query, std::size_t most);
-  /// Energy of a chosen loop closure at the present poses.
-  [[nodiscard]] double energy_of(int loop_closure);
 
   /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the
   /// frame of `map`. Maps held fixed have no relative uncertainty.
@@ -74,6 +72,8 @@ class Trial {
  private:
   [[nodiscard]] GaussianField& field();
   [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
+  [[nodiscard]] std::vector<PoseConstraint> chosen_constraints(
+      const std::vector<int>& loop_closures) const;
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;
 

@@ -34,4 +34,13 @@ struct MapGraph {
   std::vector<double> z_variance = {};
 };
 
+/// The poses and measurements alone.
+inline PoseGraph pose_graph_of(const MapGraph& graph) {
+  PoseGraph plain{graph.poses, {}};
+  for (const MapConstraint& constraint : graph.constraints) {
+    plain.constraints.push_back(constraint.measured);
+  }
+  return plain;
+}
+
 }  // namespace adit

@@ -17,14 +17,6 @@ namespace {
 constexpr double kSigmas = 1.959964;
 constexpr double kChiSquare = 7.814728;
 
-PoseGraph pose_graph_of(const MapGraph& graph) {
-  PoseGraph plain{graph.poses, {}};
-  for (const MapConstraint& constraint : graph.constraints) {
-    plain.constraints.push_back(constraint.measured);
-  }
-  return plain;
-}
-
 std::optional<GaussianField> field_of(const MapGraph& graph) try {
   return GaussianField(pose_graph_of(graph));
 } catch (const std::runtime_error&) {  // not connected

@@ -119,12 +119,8 @@ std::string association_table(const FullMap& map) {
 }
 
 G2oGraph g2o_of(const MapGraph& graph) {
-  G2oGraph g2o;
-  g2o.graph.poses = graph.poses;
+  G2oGraph g2o{pose_graph_of(graph), {}};
   for (std::size_t i = 0; i < graph.poses.size(); ++i) g2o.ids.push_back(static_cast<long>(i));
-  for (const auto& constraint : graph.constraints) {
-    g2o.graph.constraints.push_back(constraint.measured);
-  }
   return g2o;
 }
 

@@ -94,12 +94,6 @@ Json bytes_json(const FullMap& map) {
   return {{"serialised", std::round(mean(serialised))}, {"resident", std::round(mean(resident))}};
 }
 
-double objective_of(const MapGraph& graph) {
-  PoseGraph plain{graph.poses, {}};
-  for (const auto& constraint : graph.constraints) plain.constraints.push_back(constraint.measured);
-  return objective(plain);
-}
-
 Json map_json(const FullMap& map) {
   const LoopClosureCounts loop_closures = count_loop_closures(map);
   return {{"sessions", map.paths.size()},
@@ -109,7 +103,7 @@ Json map_json(const FullMap& map) {
             {"accepted", loop_closures.accepted},
             {"revised", loop_closures.revised},
             {"to_earlier_sessions", count_cross_session_loop_closures(map)}}},
-          {"objective", objective_of(map.graph)},
+          {"objective", objective(pose_graph_of(map.graph))},
           {"bytes_per_local_map", bytes_json(map)}};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -99,7 +100,8 @@ Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
 /// for each), and unconfirmed drops. If so, the obstacle does not prove that there is no path.
 bool fits_without_margins(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
                           const NoPathContext& context, double enough_m) {
-  const TerrainMap terrain = with_confirmed_drops(context.terrain, context.vehicle.step_max_m);
+  const TerrainMap terrain = with_confirmed_drops(context.terrain, context.vehicle.step_max_m,
+                                                  std::tan(context.c_space.ground.slope_max_rad));
   const CSpaceKernels kernels(without_cell_margin(context.vehicle, terrain.cell_m), context.c_space,
                               terrain.cell_m);
   const GroundLayers layers = ground_layers(terrain, context.T_level_body, context.vehicle,

@@ -3,8 +3,11 @@
 #include "procs/planning/c_space/unobserved_ground.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -91,26 +94,37 @@ bool BlindZone::contains(const Eigen::Vector2d& p_level) const {
 
 namespace {
 
+constexpr std::size_t kRimRank = 3;  // of the rim: fewer stray cells have no effect
+
 /// A connected region of cells that beams passed over.
 struct Depression {
   std::vector<std::size_t> cells;
-  float lowest_beam_m = std::numeric_limits<float>::infinity();
-  std::vector<float> rim_m;  ///< heights of the observed ground beside it
-
-  /// Compares with the upper quartile of the rim: observed parts of the walls of a pit belong to
-  /// the rim, too, but are lower.
-  [[nodiscard]] bool is_drop(double step_max_m) {
-    if (rim_m.empty()) return true;
-    const auto upper = rim_m.begin() + static_cast<std::ptrdiff_t>(rim_m.size() * 3 / 4);
-    std::nth_element(rim_m.begin(), upper, rim_m.end());
-    return lowest_beam_m < *upper - step_max_m;
-  }
+  std::vector<std::size_t> rim;  ///< observed ground beside it, without obstacles
 };
+
+/// Whether no passable ground can lie in a cell: the beam over it is lower than a slope of
+/// `grade_max` and a step down from the ground at the rim, wherever along the rim it begins.
+bool is_drop(const TerrainMap& terrain, std::size_t cell, const Depression& depression,
+             double step_max_m, double grade_max) {
+  const Eigen::Vector2i at = terrain.cells.cell(cell);
+  std::array<double, kRimRank> highest;  // of the least heights that passable ground may have here
+  highest.fill(-std::numeric_limits<double>::infinity());
+  for (const std::size_t i : depression.rim) {
+    const double distance_m = terrain.cell_m * (terrain.cells.cell(i) - at).cast<double>().norm();
+    const double least_m = static_cast<double>(terrain.cells[i].low_m) - grade_max * distance_m;
+    if (least_m <= highest.back()) continue;
+    highest.back() = least_m;
+    std::ranges::sort(highest, std::greater{});
+  }
+  return static_cast<double>(terrain.cells[cell].low_m) < highest.back() - step_max_m;
+}
 
 class DepressionFinder {
  public:
-  explicit DepressionFinder(const TerrainMap& terrain)
-      : terrain_(terrain), visited_(terrain.cells.size(), false) {}
+  DepressionFinder(const TerrainMap& terrain, double step_max_m)
+      : terrain_(terrain),
+        step_max_m_(static_cast<float>(step_max_m)),
+        visited_(terrain.cells.size(), false) {}
 
   /// The depression of a cell; empty where the cell belongs to none or was visited before.
   Depression of(int column, int row) {
@@ -130,28 +144,30 @@ class DepressionFinder {
     if (!terrain_.cells.contains(at)) return;
     const std::size_t i = terrain_.cells.index(at);
     const TerrainCell& cell = terrain_.cells[i];
-    if (cell.ground == Ground::kObserved && !depression.cells.empty())
-      depression.rim_m.push_back(cell.low_m);
+    const bool even = cell.ground == Ground::kObserved && !(cell.high_m - cell.low_m > step_max_m_);
+    if (even && !depression.cells.empty()) depression.rim.push_back(i);
     if (cell.ground != Ground::kBelowRay || visited_[i]) return;
     visited_[i] = true;
     depression.cells.push_back(i);
-    depression.lowest_beam_m = std::min(depression.lowest_beam_m, cell.low_m);
   }
 
   const TerrainMap& terrain_;
+  float step_max_m_;
   std::vector<bool> visited_;
 };
 
 }  // namespace
 
-TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m) {
+TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m, double grade_max) {
   std::vector<std::size_t> unconfirmed;
-  DepressionFinder depressions(terrain);
+  DepressionFinder depressions(terrain, step_max_m);
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
-      Depression depression = depressions.of(column, row);
-      if (depression.is_drop(step_max_m)) continue;
-      unconfirmed.insert(unconfirmed.end(), depression.cells.begin(), depression.cells.end());
+      const Depression depression = depressions.of(column, row);
+      std::ranges::copy_if(depression.cells, std::back_inserter(unconfirmed),
+                           [&](std::size_t cell) {
+                             return !is_drop(terrain, cell, depression, step_max_m, grade_max);
+                           });
     }
   }
   for (const std::size_t i : unconfirmed) terrain.cells[i].ground = Ground::kNeverObserved;

@@ -248,6 +248,32 @@ TEST(Planning, IsBlockedByADropOnlyIfBeamsReachedIntoIt) {
   EXPECT_EQ(outcome_over(-0.25), PlanOutcome::kBlocked);
 }
 
+/// A corridor with a grade along x whose ground behind x = 3 only the beams over it bound, which
+/// fall from there with a slope.
+PlanOutcome outcome_behind_edge(double grade, double beams) {
+  TerrainMap terrain = terrain_of(CorridorScene{});
+  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
+    const Eigen::Vector2i at = terrain.cells.cell(i);
+    const double x = terrain.centre(at.x(), at.y()).x();
+    TerrainCell& cell = terrain.cells[i];
+    if (cell.ground != Ground::kObserved) continue;
+    const bool hidden = x > 3.0 && cell.coefficient_m < 0.5F;
+    const double from_edge_m = std::max(x - 3.0, 0.0);
+    if (hidden) cell = unmeasured_cell(Ground::kBelowRay);
+    cell.low_m = static_cast<float>(grade * (x - from_edge_m) + beams * from_edge_m);
+    if (!hidden) cell.high_m = cell.low_m + cell.coefficient_m;
+  }
+  return plan(terrain).outcome;
+}
+
+TEST(Planning, IsBlockedBehindAnEdgeOnlyIfNoPassableGroundCanLieThere) {
+  for (const double grade : {-0.3, 0.0, 0.3}) {
+    EXPECT_EQ(outcome_behind_edge(grade, -0.1), PlanOutcome::kNarrow) << grade;
+    EXPECT_EQ(outcome_behind_edge(grade, -0.35), PlanOutcome::kNarrow) << grade;
+    EXPECT_EQ(outcome_behind_edge(grade, -0.8), PlanOutcome::kBlocked) << grade;
+  }
+}
+
 TEST(Planning, IsBlockedByAPitWithAnObservedWall) {
   // Beams pass over the pit down to 0.3 m below the floor and meet some of its wall far below;
   // there is room beside it. The wall lowers the mean height of the rim by 0.15 m.

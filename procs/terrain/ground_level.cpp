@@ -14,12 +14,14 @@ constexpr float kNoise = 0.03F;  // noise of the lowest heights of neighbours [m
 
 }  // namespace
 
-GroundLevel::GroundLevel(const TerrainMap& map, const std::vector<float>& low_m,
+GroundLevel::GroundLevel(const TerrainMap& map, const RegionGround& regions,
                          const GroundTrend& trend, const TerrainParams& params)
-    : low_m_(low_m),
+    : low_m_(regions.low_m),
+      steep_(regions.steep),
       trend_(trend),
       step_m_(static_cast<float>(params.vehicle.step_max_m)),
       rise_m_(static_cast<float>(params.unseen.grade_max * map.cell_m)),
+      fall_m_(GroundTrend::kGradeMax * static_cast<float>(map.cell_m)),
       level_m_(map.cells.size(), 0.0F),
       unobserved_(map.cells.size(), kNotYet),
       observed_(map.cells.size(), 0) {
@@ -85,14 +87,18 @@ void GroundLevel::visit(std::size_t cell, std::size_t from, const Eigen::Vector2
   if (unobserved_[cell] == 0) return;
   const float level = level_m_[from] + trend_.rise_m(cell).dot(ahead);
   const float low = low_m_[cell];
-  const float rise = rise_m_ * static_cast<float>(unobserved_[from] + 1);
-  if (low <= level + rise + kNoise && low >= level - step_m_) {
+  const std::size_t unobserved = unobserved_[from] + 1;
+  const float rise = rise_m_ * static_cast<float>(unobserved);
+  const bool is_steep = steep_[cell] != 0;
+  const float above = is_steep ? std::min(rise, step_m_) : rise;
+  const bool is_ground = low <= level + above + kNoise && low >= level - step_m_;
+  if (is_ground && !is_steep) {
     observed_[cell] = 1;
     enter(cell, low, 0);
-  } else if (unobserved_[from] + 1 < unobserved_[cell]) {
+  } else if (unobserved < unobserved_[cell]) {
     // Behind a pit, a rock or a wall the ground is expected to continue that in front.
-    observed_[cell] = low < level ? 1 : 0;
-    enter(cell, level, unobserved_[from] + 1);
+    observed_[cell] = is_ground || low < level ? 1 : 0;
+    enter(cell, is_ground ? low : level, unobserved);
   }
 }
 

@@ -9,12 +9,15 @@
 #include "procs/terrain/derived_layers.hpp"
 #include "procs/terrain/ground_level.hpp"
 #include "procs/terrain/region_heights.hpp"
+#include "procs/terrain/visibility/passing_beams.hpp"
 #include "procs/terrain/visibility/unseen_ground.hpp"
 
 namespace adit {
 namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kContinuousM = 0.05F;   // noise of the heights of one surface
+constexpr double kBetweenLinesM = 0.5;  // between the lines of a scan on it
 
 template <class Visit>
 void for_each_cell(const TerrainMap& map, const Visit& visit) {
@@ -24,18 +27,66 @@ void for_each_cell(const TerrainMap& map, const Visit& visit) {
   }
 }
 
-std::vector<float> lowest(const RegionHeights& regions, const TerrainMap& map) {
-  std::vector<float> low_m(map.cells.size());
-  for_each_cell(map,
-                [&](int column, int row, std::size_t i) { low_m[i] = regions.low_m(column, row); });
-  return low_m;
+/// Marks what continues regions that hang over the ground away from the laser: at the far end of a
+/// roof no beam passes below it.
+void mark_continued(std::vector<std::uint8_t>& hanging, const std::vector<float>& low_m,
+                    const TerrainMap& map, const Eigen::Vector2d& p_level_laser) {
+  const auto distance_m = [&](const Eigen::Vector2i& at) {
+    return (map.centre(at.x(), at.y()) - p_level_laser).norm();
+  };
+  const auto reach = static_cast<int>(std::lround(kBetweenLinesM / map.cell_m));
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < hanging.size(); ++i) {
+    if (hanging[i] != 0) front.push_back(i);
+  }
+  while (!front.empty()) {
+    const std::size_t from = front.back();
+    front.pop_back();
+    const Eigen::Vector2i at = map.cells.cell(from);
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const Eigen::Vector2i next = at + Eigen::Vector2i(dx, dy);
+        if (!map.cells.contains(next)) continue;
+        const std::size_t i = map.cells.index(next);
+        if (hanging[i] != 0 || distance_m(next) <= distance_m(at)) continue;
+        const float gap_m = static_cast<float>(map.cell_m) * std::hypot(dx, dy);
+        const float rise_m = std::abs(low_m[i] - low_m[from]);
+        if (!(rise_m <= kContinuousM + GroundTrend::kGradeMax * gap_m)) continue;  // or NaN
+        hanging[i] = 1;
+        front.push_back(i);
+      }
+    }
+  }
 }
 
-/// A cell with an obstacle within the headroom is observed even if its ground is not; a cell that
-/// shows only the roof is not observed.
+/// What each region shows of its ground. Points with beams below them hang over it.
+RegionGround region_ground(const RegionHeights& regions, const TerrainMap& map,
+                           const PassingBeams& beams, double step_max_m) {
+  RegionGround ground{std::vector<float>(map.cells.size()),
+                      std::vector<std::uint8_t>(map.cells.size(), 0)};
+  std::vector<std::uint8_t> hanging(map.cells.size());
+  for_each_cell(map, [&](int column, int row, std::size_t i) {
+    const float low_m = regions.low_m(column, row);
+    const float high_m = regions.above(column, row, low_m).high_m;
+    ground.low_m[i] = low_m;
+    ground.steep[i] = high_m - low_m > static_cast<float>(step_max_m) ? 1 : 0;
+    hanging[i] = beams.pass_below(map.centre(column, row).cast<float>(), low_m) ? 1 : 0;
+  });
+  mark_continued(hanging, ground.low_m, map, beams.p_level_laser());
+  for (std::size_t i = 0; i < hanging.size(); ++i) {
+    if (hanging[i] != 0) ground.low_m[i] = kUnknown;
+  }
+  return ground;
+}
+
+/// A cell with an obstacle within the headroom is observed even if its ground is not, but only if
+/// passable ground cannot lie so low that the vehicle fits under the obstacle. A cell that shows
+/// only the roof, or what may be the roof, is not observed.
 void set_heights(TerrainMap& map, const RegionHeights& regions, const GroundLevel& ground) {
   for_each_cell(map, [&](int column, int row, std::size_t i) {
-    const RegionHeights::Above above = regions.above(column, row, ground.low_m(i));
+    RegionHeights::Above above = regions.above(column, row, ground.least_m(i));
+    if (above.count > 0 && !ground.is_observed(i))
+      above = regions.above(column, row, ground.low_m(i));
     TerrainCell& cell = map.cells[i];
     cell.clearance_m =
         above.roof_m;  // the height of the roof, until set_differences subtracts the ground
@@ -80,10 +131,11 @@ TerrainMap Terrain::heights(const Cloud& cloud) const {
   TerrainMap map = blank(cloud);
   const CellHeights heights(cloud, map);
   const RegionHeights regions(heights, map, params_);
-  const std::vector<float> low_m = lowest(regions, map);
-  const GroundLevel ground(map, low_m, heights.trend(), params_);
+  const PassingBeams beams(cloud, map, params_.vehicle.step_max_m);
+  const RegionGround observed = region_ground(regions, map, beams, params_.vehicle.step_max_m);
+  const GroundLevel ground(map, observed, heights.trend(), params_);
   set_heights(map, regions, ground);
-  classify_unseen_ground(map, cloud, heights, ground, params_);
+  classify_unseen_ground(map, cloud, heights, ground, beams, params_);
   return map;
 }
 

@@ -13,11 +13,43 @@ namespace {
 constexpr float kRangeMin = 0.05F;  // below it a slope is not significant [m]
 constexpr int kSteps = 4;  // iterations to the intersection of a beam with gently sloping ground
 
+constexpr float kViewpointRadius = 0.25F;  // radius within which a tilting laser stays [m]
+
 }  // namespace
 
-BeamEnds::BeamEnds(const TerrainMap& map, const GroundLevel& ground, const TerrainParams& params)
+std::vector<std::vector<const CloudLine*>> lines_by_viewpoint(const Cloud& cloud) {
+  std::vector<std::vector<const CloudLine*>> places;
+  for (const CloudLine& line : cloud.lines) {
+    if (!is_usable(line.origin)) continue;
+    auto place = places.begin();
+    while (place != places.end() &&
+           (place->front()->origin - line.origin).norm() > kViewpointRadius) {
+      ++place;
+    }
+    if (place == places.end()) place = places.insert(place, std::vector<const CloudLine*>{});
+    place->push_back(&line);
+  }
+  return places;
+}
+
+Eigen::Vector3f mean_origin(std::span<const CloudLine* const> lines) {
+  Eigen::Vector3f origin = Eigen::Vector3f::Zero();
+  for (const CloudLine* line : lines) origin += line->origin / static_cast<float>(lines.size());
+  return origin;
+}
+
+float reach_m(const TerrainMap& map, const Eigen::Vector3f& p_level) {
+  const Eigen::Vector2d low = map.p_level_corner;
+  const Eigen::Vector2d high = low + map.cell_m * map.cells.box().to.cast<double>();
+  const Eigen::Vector2d place = p_level.head<2>().cast<double>();
+  return static_cast<float>((place - low).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm());
+}
+
+BeamEnds::BeamEnds(const TerrainMap& map, const GroundLevel& ground, const PassingBeams& beams,
+                   const TerrainParams& params)
     : finder_(map),
       ground_(ground),
+      beams_(beams),
       step_m_(static_cast<float>(params.vehicle.step_max_m)),
       floor_range_m_(static_cast<float>(params.unseen.floor_range_m)),
       cells_per_m_(static_cast<float>(1.0 / map.cell_m)) {}
@@ -39,8 +71,22 @@ std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
   // Outside the map the ground is unknown: anything well below the laser may be ground.
   const float ground = cell == CellFinder::kOutside ? origin.z() - step_m_
                                                     : ground_.at(static_cast<std::size_t>(cell));
-  if (p_level.z() <= ground + step_m_) end.kind = BeamEnd::Kind::kGround;
+  if (p_level.z() > ground + step_m_) return end;
+  if (!beams_.pass_below(p_level.head<2>(), p_level.z())) end.kind = BeamEnd::Kind::kGround;
   return end;
+}
+
+/// Behind an edge ground may be so much lower than expected that a beam meets it too far away.
+bool BeamEnds::meets_lowest_ground(const Eigen::Vector3f& origin,
+                                   const Eigen::Vector3f& direction) const {
+  const float step_m = 1.0F / cells_per_m_;
+  for (float range_m = step_m; range_m <= floor_range_m_; range_m += step_m) {
+    const Eigen::Vector3f p = origin + range_m * direction;
+    const int cell = finder_.at(p.x(), p.y());
+    if (cell == CellFinder::kOutside) return false;
+    if (p.z() <= ground_.least_m(static_cast<std::size_t>(cell))) return true;
+  }
+  return false;
 }
 
 std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
@@ -59,6 +105,7 @@ std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
     if (cell == CellFinder::kOutside) return std::nullopt;
     ground = ground_.at(static_cast<std::size_t>(cell));
   }
+  if (!meets_lowest_ground(origin, direction / horizontal)) return std::nullopt;
   return BeamEnd{slope, range, ground, grade(cell, direction.head<2>() / horizontal),
                  BeamEnd::Kind::kLost};
 }

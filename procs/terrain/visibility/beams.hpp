@@ -11,6 +11,7 @@
 #include "common/types/cloud.hpp"
 #include "procs/terrain/cell_heights.hpp"
 #include "procs/terrain/ground_level.hpp"
+#include "procs/terrain/visibility/passing_beams.hpp"
 
 namespace adit {
 
@@ -33,25 +34,42 @@ struct BeamEnd {
 /// Classifies the ends of single beams.
 class BeamEnds {
  public:
-  /// `ground` must outlive this object.
-  BeamEnds(const TerrainMap& map, const GroundLevel& ground, const TerrainParams& params);
+  /// `ground` and `beams` must outlive this object.
+  BeamEnds(const TerrainMap& map, const GroundLevel& ground, const PassingBeams& beams,
+           const TerrainParams& params);
 
   /// Empty for points straight above or below the laser, and for points that are not usable.
   [[nodiscard]] std::optional<BeamEnd> of_point(const Eigen::Vector3f& origin,
                                                 const Eigen::Vector3f& p_level) const;
-  /// Empty if the ground is not expected near enough in this direction to return a beam.
+  /// Empty if the ground is not expected near enough in this direction to return a beam, wherever
+  /// passable ground may be.
   [[nodiscard]] std::optional<BeamEnd> of_miss(const Eigen::Vector3f& origin,
                                                const Eigen::Vector3f& direction) const;
 
  private:
+  /// Whether a beam meets the least possible ground within the range of dry ground. `direction`: of
+  /// a length of 1 in plan.
+  [[nodiscard]] bool meets_lowest_ground(const Eigen::Vector3f& origin,
+                                         const Eigen::Vector3f& direction) const;
   [[nodiscard]] float grade(int cell, const Eigen::Vector2f& direction) const;
 
   CellFinder finder_;
   const GroundLevel& ground_;
+  const PassingBeams& beams_;
   float step_m_;
   float floor_range_m_;
   float cells_per_m_;
 };
+
+/// The lines of a cloud by viewpoint, in its order: those of a tilting laser begin within the lever
+/// arm of its mount. Lines whose origin is not usable are left out.
+std::vector<std::vector<const CloudLine*>> lines_by_viewpoint(const Cloud& cloud);
+
+/// Mean origin of lines of one viewpoint, in level [m].
+Eigen::Vector3f mean_origin(std::span<const CloudLine* const> lines);
+
+/// Distance in plan from a point to the farthest corner of the map [m].
+float reach_m(const TerrainMap& map, const Eigen::Vector3f& p_level);
 
 /// The beams of a laser that carry information about the ground, by azimuth sector.
 class SectorBeams {

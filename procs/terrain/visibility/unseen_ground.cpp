@@ -43,22 +43,14 @@ float foot_m(std::span<const BeamEnd> beams) {
   return low;
 }
 
-/// Distance from a point to the farthest corner of the map.
-float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
-  const Eigen::Vector2d low = map.p_level_corner;
-  const Eigen::Vector2d high = low + map.cell_m * map.cells.box().to.cast<double>();
-  const Eigen::Vector2d place = origin.head<2>().cast<double>();
-  return static_cast<float>((place - low).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm());
-}
-
 }  // namespace
 
 SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
                        const TerrainMap& map, const TerrainParams& params)
     : params_(params.unseen),
       bridged_m_(bridged_by_wheel_m(params.vehicle)),
-      cell_m_(static_cast<float>(map.cell_m)) {
-  for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
+      cell_m_(static_cast<float>(map.cell_m)),
+      origin_(mean_origin(lines)) {
   bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
   observations_.resize(SectorBeams::kSectors * bins_);
   SectorBeams beams(lines, ends);
@@ -146,24 +138,6 @@ bool SightLines::is_behind_crest(const Gap& gap) const {
 
 namespace {
 
-constexpr float kViewpointRadius = 0.25F;  // radius within which a tilting laser stays [m]
-
-/// Groups the lines by viewpoint, in the order of the cloud.
-std::vector<std::vector<const CloudLine*>> by_viewpoint(const Cloud& cloud) {
-  std::vector<std::vector<const CloudLine*>> places;
-  for (const CloudLine& line : cloud.lines) {
-    if (!is_usable(line.origin)) continue;
-    auto place = places.begin();
-    while (place != places.end() &&
-           (place->front()->origin - line.origin).norm() > kViewpointRadius) {
-      ++place;
-    }
-    if (place == places.end()) place = places.insert(place, std::vector<const CloudLine*>{});
-    place->push_back(&line);
-  }
-  return places;
-}
-
 int evidence_rank(Ground ground) {
   switch (ground) {
     case Ground::kObserved:
@@ -207,10 +181,11 @@ void apply(const GroundEvidence& observation, TerrainCell& cell, float step_max_
 }  // namespace
 
 void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeights& heights,
-                            const GroundLevel& ground, const TerrainParams& params) {
+                            const GroundLevel& ground, const PassingBeams& beams,
+                            const TerrainParams& params) {
   const auto step_max_m = static_cast<float>(params.vehicle.step_max_m);
-  const BeamEnds ends(map, ground, params);
-  for (const auto& lines : by_viewpoint(cloud)) {
+  const BeamEnds ends(map, ground, beams, params);
+  for (const auto& lines : lines_by_viewpoint(cloud)) {
     const SightLines sight(lines, ends, map, params);
     for (int row = 0; row < map.cells.rows(); ++row) {
       for (int column = 0; column < map.cells.columns(); ++column) {

@@ -12,6 +12,7 @@
 #include "procs/terrain/ground_level.hpp"
 #include "procs/terrain/terrain_params.hpp"
 #include "procs/terrain/visibility/beams.hpp"
+#include "procs/terrain/visibility/passing_beams.hpp"
 
 namespace adit {
 
@@ -54,7 +55,7 @@ class SightLines {
   UnseenGroundParams params_;
   float bridged_m_;
   float cell_m_;
-  Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
+  Eigen::Vector3f origin_;
   std::size_t bins_;                          ///< number of distance bins, one cell each
   std::vector<GroundEvidence> observations_;  ///< by sector, then distance
 };
@@ -63,6 +64,7 @@ class SightLines {
 /// height of cells between beams that hit the ground. With scans from several viewpoints the
 /// strongest evidence counts.
 void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeights& heights,
-                            const GroundLevel& ground, const TerrainParams& params);
+                            const GroundLevel& ground, const PassingBeams& beams,
+                            const TerrainParams& params);
 
 }  // namespace adit

@@ -92,6 +92,105 @@ TEST(UnseenGround, BeyondACrestIsBelowTheBeamsOverIt) {
   EXPECT_EQ(share_of(map, beyond, is(Ground::kBelowRay)), 1.0);
 }
 
+/// A quad across a tunnel 4 m wide, between two places along it and the heights there.
+void add_slab(MeshBuilder& builder, const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
+  builder.quad(builder.vertex({from.x(), -2.0F, from.y()}), builder.vertex({to.x(), -2.0F, to.y()}),
+               builder.vertex({to.x(), 2.0F, to.y()}), builder.vertex({from.x(), 2.0F, from.y()}));
+}
+
+/// A tunnel that is level up to an edge `edge_m` ahead and falls behind it.
+std::function<void(MeshBuilder&)> falling_tunnel(float edge_m, float grade, float height_m) {
+  return [=](MeshBuilder& builder) {
+    const float end_m = edge_m + 20.0F;
+    for (const float z_m : {0.0F, height_m}) {
+      add_slab(builder, {-5.0F, z_m}, {edge_m, z_m});
+      add_slab(builder, {edge_m, z_m}, {end_m, z_m + grade * 20.0F});
+    }
+    for (const double side : {-1.0, 1.0}) {
+      add_rock(builder, {10.0, side * 2.5, 0.0}, {40.0, 1.0, 20.0});
+    }
+  };
+}
+
+const Eigen::AlignedBox2d kTunnelMiddle(Eigen::Vector2d(2.5, -1.2), Eigen::Vector2d(13.5, 1.2));
+
+/// Observed cells in the middle of a falling tunnel, and those of them that are not its floor.
+struct FalseGround {
+  int observed = 0;
+  int wrong = 0;
+};
+
+FalseGround false_ground(float edge_m, float grade, float height_m) {
+  const TerrainMap map = map_of(falling_tunnel(edge_m, grade, height_m));
+  FalseGround count;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const Eigen::Vector2i at = map.cells.cell(i);
+    const Eigen::Vector2d p = map.centre(at.x(), at.y());
+    const TerrainCell& cell = map.cells[i];
+    if (!kTunnelMiddle.contains(p) || cell.ground != Ground::kObserved) continue;
+    const double floor_m = grade * std::max(p.x() - static_cast<double>(edge_m), 0.0);
+    const bool even = std::abs(cell.low_m - floor_m) < 0.1 && cell.high_m - cell.low_m < 0.1F;
+    ++count.observed;
+    count.wrong += even ? 0 : 1;
+  }
+  return count;
+}
+
+/// At the far end of the roof, where the last beams end, single cells may fail.
+TEST(UnseenGround, IsNotTheRoofThatFallsBehindAnEdge) {
+  for (const float grade : {-0.2F, -0.25F, -0.3F, -0.36F}) {
+    for (const float edge_m : {3.0F, 4.0F, 6.0F, 9.0F}) {
+      for (const float height_m : {1.8F, 2.2F, 3.0F}) {
+        const FalseGround count = false_ground(edge_m, grade, height_m);
+        EXPECT_GT(count.observed, 100);
+        EXPECT_LE(count.wrong, 5) << grade << " " << edge_m << " " << height_m;
+      }
+    }
+  }
+}
+
+/// The vehicle does not fit below it, wherever the hidden ground is that it could drive on.
+TEST(UnseenGround, BelowALowSlabNearItsEdgeLeavesNoRoom) {
+  const TerrainMap map = map_of([](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 4.0);
+    add_ground(builder, 4.0, 15.0, -0.4);
+    add_rock(builder, {5.5, 0.0, 0.8}, {1.5, 4.0, 0.8});
+  });
+  const Eigen::AlignedBox2d face(Eigen::Vector2d(4.75, -1.5), Eigen::Vector2d(4.85, 1.5));
+  EXPECT_EQ(share_of(map, face,
+                     [](const TerrainCell& cell) {
+                       return cell.ground == Ground::kObserved && cell.high_m - cell.low_m > 0.3F;
+                     }),
+            1.0);
+}
+
+/// The same slab above ground that is hidden so far that it may have fallen below it.
+TEST(UnseenGround, BelowALowSlabFarBehindAnEdgeIsUnknown) {
+  const TerrainMap map = map_of([](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 4.0);
+    add_ground(builder, 4.0, 40.0, -3.0);
+    add_rock(builder, {10.0, 0.0, 1.1}, {2.0, 4.0, 0.8});
+  });
+  const Eigen::AlignedBox2d face(Eigen::Vector2d(9.0, -1.5), Eigen::Vector2d(9.1, 1.5));
+  EXPECT_EQ(share_of(map, face, is(Ground::kObserved)), 0.0);
+}
+
+/// Rock from above the lines of sight down to below the edge leaves no room, however the hidden
+/// ground falls.
+TEST(UnseenGround, BeforeAWallBehindAnEdgeDoesNotHideIt) {
+  const TerrainMap map = map_of([](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 4.0);
+    add_ground(builder, 4.0, 15.0, -0.8);
+    add_rock(builder, {9.0, 0.0, 0.0}, {1.0, 4.0, 5.0});
+  });
+  const Eigen::AlignedBox2d face(Eigen::Vector2d(8.45, -1.5), Eigen::Vector2d(8.55, 1.5));
+  EXPECT_EQ(share_of(map, face,
+                     [](const TerrainCell& cell) {
+                       return cell.ground == Ground::kObserved && cell.high_m - cell.low_m > 0.6F;
+                     }),
+            1.0);
+}
+
 constexpr double kRailHeight = 0.12;  // [m]
 
 /// Level ground with a rail across it, whose centre is at `x_m`.

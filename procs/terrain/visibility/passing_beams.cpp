@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/visibility/passing_beams.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <tuple>
+
+#include "procs/terrain/visibility/beams.hpp"
+
+namespace adit {
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::infinity();
+constexpr float kBeyondM = 0.3F;       // by which a beam ends beyond the places that it passes over
+constexpr float kRangeLeastM = 0.05F;  // below it a slope is not significant
+
+/// A beam in its vertical plane.
+struct Beam {
+  float slope;
+  float range_m;  ///< horizontal
+  float z_m;      ///< of its end, in level
+};
+
+std::vector<std::vector<Beam>> beams_by_sector(std::span<const CloudLine* const> lines) {
+  std::vector<std::vector<Beam>> sectors(SectorBeams::kSectors);
+  for (const CloudLine* line : lines) {
+    for (const Eigen::Vector3f& p : line->points) {
+      if (!is_usable(p)) continue;
+      const Eigen::Vector3f away = p - line->origin;
+      const float range_m = away.head<2>().norm();
+      if (range_m < kRangeLeastM) continue;
+      sectors[SectorBeams::sector(away.x(), away.y())].push_back(
+          {away.z() / range_m, range_m, p.z()});
+    }
+  }
+  return sectors;
+}
+
+/// From the steepest beam upwards: at each distance the second beam that reaches it counts.
+void set_heights_of_second(std::vector<Beam>& beams, float cell_m, std::span<float> heights_m) {
+  std::sort(beams.begin(), beams.end(), [](const Beam& a, const Beam& b) {
+    return std::tie(a.slope, a.range_m, a.z_m) < std::tie(b.slope, b.range_m, b.z_m);
+  });
+  std::size_t once = 0;
+  std::size_t twice = 0;
+  for (const Beam& beam : beams) {
+    const float passed_m = std::max(beam.range_m - kBeyondM, 0.0F);
+    const auto end = std::min(static_cast<std::size_t>(passed_m / cell_m), heights_m.size());
+    for (; twice < std::min(once, end); ++twice) {
+      const float range_m = (static_cast<float>(twice) + 0.5F) * cell_m;
+      heights_m[twice] = beam.z_m - beam.slope * (beam.range_m - range_m);
+    }
+    once = std::max(once, end);
+  }
+}
+
+}  // namespace
+
+PassingBeams::PassingBeams(const Cloud& cloud, const TerrainMap& map, double margin_m)
+    : cell_m_(static_cast<float>(map.cell_m)), margin_m_(static_cast<float>(margin_m)) {
+  for (const auto& lines : lines_by_viewpoint(cloud)) {
+    const Eigen::Vector3f origin = mean_origin(lines);
+    const auto bins = static_cast<std::size_t>(reach_m(map, origin) / cell_m_) + 2;
+    Viewpoint viewpoint{origin.head<2>(), bins,
+                        std::vector<float>(SectorBeams::kSectors * bins, kNone)};
+    auto sectors = beams_by_sector(lines);
+    for (std::size_t i = 0; i < sectors.size(); ++i) {
+      set_heights_of_second(sectors[i], cell_m_,
+                            std::span(viewpoint.heights_m).subspan(i * bins, bins));
+    }
+    viewpoints_.push_back(std::move(viewpoint));
+  }
+}
+
+Eigen::Vector2d PassingBeams::p_level_laser() const {
+  if (viewpoints_.empty()) return Eigen::Vector2d::Zero();
+  return viewpoints_.front().origin.cast<double>();
+}
+
+float PassingBeams::height_m(const Eigen::Vector2f& p_level) const {
+  float least = kNone;
+  for (const Viewpoint& viewpoint : viewpoints_) {
+    const Eigen::Vector2f d = p_level - viewpoint.origin;
+    const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
+    if (bin >= viewpoint.bins) continue;
+    const std::size_t sector = SectorBeams::sector(d.x(), d.y());
+    least = std::min(least, viewpoint.heights_m[sector * viewpoint.bins + bin]);
+  }
+  return least;
+}
+
+}  // namespace adit

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
+
+namespace adit {
+
+/// Heights of the lowest beams that pass over each place and end beyond it. Ground is never above
+/// them: points that are show something that hangs over the place, for example a roof that falls
+/// behind an edge. No class of the points is needed, only where each beam ends.
+class PassingBeams {
+ public:
+  /// `margin_m`: by which points are above beams that pass below them.
+  PassingBeams(const Cloud& cloud, const TerrainMap& map, double margin_m);
+
+  /// Whether beams pass below a height z in level [m] at a point: then it is not that of the
+  /// ground.
+  [[nodiscard]] bool pass_below(const Eigen::Vector2f& p_level, float z_m) const {
+    return z_m > height_m(p_level) + margin_m_;
+  }
+
+  /// Where the first lines begin; the origin without any.
+  [[nodiscard]] Eigen::Vector2d p_level_laser() const;
+
+ private:
+  /// Heights by sector, then distance in cells.
+  struct Viewpoint {
+    Eigen::Vector2f origin;
+    std::size_t bins;
+    std::vector<float> heights_m;
+  };
+
+  /// z in level [m] of the second lowest beam over a point, since a single one may be a reflection;
+  /// infinite if fewer pass.
+  [[nodiscard]] float height_m(const Eigen::Vector2f& p_level) const;
+
+  float cell_m_;
+  float margin_m_;
+  std::vector<Viewpoint> viewpoints_;
+};
+
+}  // namespace adit

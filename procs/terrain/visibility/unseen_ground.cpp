@@ -93,7 +93,7 @@ GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
   if (below.kind == Kind::kObstacle) return {Ground::kOccluded};
   const float gap_m = std::max(above.range_m - below.range_m, cell_m_);
   const float share = std::clamp((range_m - below.range_m) / gap_m, 0.0F, 1.0F);
-  if (passes_over(gap)) {
+  if (passes_over(gap) && !is_bridged(gap)) {
     if (!is_behind_crest(gap)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
     if (gap_m > bridged_m_ + spacing_m(gap) / static_cast<float>(params_.gap_of_spacing))
       return {Ground::kOccluded};
@@ -120,6 +120,15 @@ float SightLines::spacing_m(const Gap& gap) const {
 /// apart than on level ground: then the upper one passed over a hollow or a crest.
 bool SightLines::passes_over(const Gap& gap) const {
   return gap.above.range_m - gap.below.range_m > std::max(spacing_m(gap), kGapAlways);
+}
+
+/// Whether ground that a vehicle can drive on ends at both sides of a ditch that is not wide enough
+/// to stop a wheel, however deep it is. On slopes that fall ahead beams are far apart.
+bool SightLines::is_bridged(const Gap& gap) const {
+  const auto& [below, above, foot_m] = gap;
+  const float gap_m = above.range_m - below.range_m;
+  return above.kind == Kind::kGround && gap_m <= bridged_m_ &&
+         std::abs(above.z_m - below.z_m) <= GroundTrend::kGradeMax * gap_m;
 }
 
 /// Whether the ground continues behind a low crest, a rail for example, that hides no more than its

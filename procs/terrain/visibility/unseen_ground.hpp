@@ -50,6 +50,7 @@ class SightLines {
   [[nodiscard]] float laser_height_m(const Gap& gap) const;
   [[nodiscard]] float spacing_m(const Gap& gap) const;
   [[nodiscard]] bool passes_over(const Gap& gap) const;
+  [[nodiscard]] bool is_bridged(const Gap& gap) const;
   [[nodiscard]] bool is_behind_crest(const Gap& gap) const;
 
   UnseenGroundParams params_;

@@ -228,6 +228,21 @@ TEST(UnseenGround, InAPitBehindARailIsBelowTheBeamsOverIt) {
   EXPECT_EQ(share_of(map, pit, is(Ground::kBelowRay)), 1.0);
 }
 
+TEST(UnseenGround, InADitchThatAWheelBridgesIsObserved) {
+  const auto ditch = [](double width_m) {
+    return map_of([=](MeshBuilder& builder) {
+      add_ground(builder, -5.0, 4.0);
+      add_ground(builder, 4.0, 4.0 + width_m, -1.0);
+      add_ground(builder, 4.0 + width_m, 15.0);
+    });
+  };
+  const auto over = [](double width_m) {
+    return Eigen::AlignedBox2d(Eigen::Vector2d(4.0, -1.0), Eigen::Vector2d(4.0 + width_m, 1.0));
+  };
+  EXPECT_EQ(share_of(ditch(0.4), over(0.4), is(Ground::kObserved)), 1.0);
+  EXPECT_GT(share_of(ditch(0.8), over(0.8), is(Ground::kBelowRay)), 0.4);
+}
+
 TEST(UnseenGround, UnderWaterReturnsNoBeams) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 15.0);

@@ -350,6 +350,7 @@ void Mission::handle_failed_drive(const std::string& reason) {
   }
   if (is_off_route(maneuver_)) {
     retracing_.note_drive(uses_traversed_path(maneuver_));
+    recovery_.note_missed_viewpoint();
     enter(Phase::kExplore, "scanning from where the drive ended: " + reason);
     return;
   }

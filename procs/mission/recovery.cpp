@@ -80,6 +80,14 @@ bool Recovery::is_uncertain() const {
   return attempts_.observed < kObservedMin || attempts_.is_narrow;
 }
 
+/// Only actions that were limited change; the number of rejections limits all.
+void Recovery::note_missed_viewpoint() {
+  if (!attempts_.last_row) return;
+  --attempts_.uses[*attempts_.last_row];
+  if (kTable[*attempts_.last_row].action == Action::kBackOff) --attempts_.back_offs;
+  attempts_.last_row.reset();
+}
+
 Recovery::Action Recovery::choose(const Rejection& rejection, const Options& options) {
   ++attempts_.rejections;
   if (rejection.evidence == Evidence::kObserved) ++attempts_.observed;
@@ -94,6 +102,7 @@ Recovery::Action Recovery::choose(const Rejection& rejection, const Options& opt
     if ((rule.evidence & bit(rejection.evidence)) == 0 || !rule.applies(situation)) continue;
     if (attempts_.uses[row] == rule.uses_max) continue;
     ++attempts_.uses[row];
+    attempts_.last_row = row;
     if (rule.action == Action::kBackOff) ++attempts_.back_offs;
     return rule.rejoin_instead && options.can_rejoin ? Action::kRejoin : rule.action;
   }

@@ -56,6 +56,9 @@ class Recovery {
   /// Counts a rejection of the target and returns the action to take.
   Action choose(const Rejection& rejection, const Options& options);
 
+  /// The drive of the last action failed before its viewpoint: the action may be chosen once more.
+  void note_missed_viewpoint();
+
   [[nodiscard]] int rejections() const { return attempts_.rejections; }
   [[nodiscard]] int back_offs() const { return attempts_.back_offs; }
   /// Whether fewer than two scans observed that no path exists, or one observed a narrow passage.
@@ -72,6 +75,8 @@ class Recovery {
     bool is_narrow = false;
     int back_offs = 0;
     std::array<int, kRules> uses{};  ///< of the rows of the table
+    std::optional<std::size_t> last_row =
+        {};  ///< of the last action, until its viewpoint is missed
     double reached_m = 0.0;
     std::string evidence;
   };

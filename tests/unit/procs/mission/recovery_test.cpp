@@ -35,6 +35,20 @@ TEST(Recovery, TriesAllViewpointsForUnobservedGround) {
   EXPECT_TRUE(recovery.is_uncertain());
 }
 
+TEST(Recovery, ChoosesAViewpointAgainThatItsDriveMissed) {
+  Recovery recovery;
+  const Recovery::Rejection shadow{Evidence::kUnobserved, 2.0, "shadow"};
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kScanBeside);
+  recovery.note_missed_viewpoint();
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kScanBeside);
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kApproach);
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kScanOtherLaser);
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kBackOff);
+  recovery.note_missed_viewpoint();
+  EXPECT_EQ(recovery.back_offs(), 0);
+  EXPECT_EQ(recovery.choose(shadow, kCanBackOff), Action::kAbandon);  // six rejections
+}
+
 TEST(Recovery, AbandonsAfterTwoObservations) {
   Recovery recovery;
   EXPECT_THAT(actions(recovery, {Evidence::kObserved, 2.0, "rubble"}, kCanBackOff),

@@ -89,12 +89,14 @@ void SightLines::classify_sector(std::span<BeamEnd> beams, std::span<GroundEvide
 
 GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
   const auto& [below, above, foot_m] = gap;
-  if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
+  if (above.kind == Kind::kLost || (below.kind == Kind::kLost && !passes_over(gap)))
+    return {Ground::kNoReturn};
   if (below.kind == Kind::kObstacle) return {Ground::kOccluded};
   const float gap_m = std::max(above.range_m - below.range_m, cell_m_);
   const float share = std::clamp((range_m - below.range_m) / gap_m, 0.0F, 1.0F);
   if (passes_over(gap) && !is_bridged(gap)) {
-    if (!is_behind_crest(gap)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
+    const bool behind_crest = below.kind == Kind::kGround && is_behind_crest(gap);
+    if (!behind_crest) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
     if (gap_m > bridged_m_ + spacing_m(gap) / static_cast<float>(params_.gap_of_spacing))
       return {Ground::kOccluded};
     return {Ground::kObserved, std::lerp(foot_m, above.z_m, share)};
@@ -103,8 +105,14 @@ GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
   return {Ground::kObserved, std::lerp(below.z_m, above.z_m, share)};
 }
 
+/// At a crest the trends at both ends of the gap differ: the lesser height allows wider gaps.
 float SightLines::laser_height_m(const Gap& gap) const {
-  return origin_.z() - (gap.below.z_m - gap.below.grade * gap.below.range_m);
+  const auto above_plane = [&](const BeamEnd& end, float grade) {
+    return origin_.z() - (end.z_m - grade * end.range_m);
+  };
+  const float height = above_plane(gap.below, gap.below.grade);
+  if (gap.above.kind != Kind::kGround) return height;
+  return std::min(height, above_plane(gap.below, gap.above.grade));
 }
 
 /// Distance up to which two beams that hit even ground may be apart [m].
@@ -127,7 +135,7 @@ bool SightLines::passes_over(const Gap& gap) const {
 bool SightLines::is_bridged(const Gap& gap) const {
   const auto& [below, above, foot_m] = gap;
   const float gap_m = above.range_m - below.range_m;
-  return above.kind == Kind::kGround && gap_m <= bridged_m_ &&
+  return below.kind == Kind::kGround && above.kind == Kind::kGround && gap_m <= bridged_m_ &&
          std::abs(above.z_m - below.z_m) <= GroundTrend::kGradeMax * gap_m;
 }
 

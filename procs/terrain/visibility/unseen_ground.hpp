@@ -46,7 +46,8 @@ class SightLines {
 
   void classify_sector(std::span<BeamEnd> beams, std::span<GroundEvidence> out) const;
   [[nodiscard]] GroundEvidence between(const Gap& gap, float range_m) const;
-  /// Height of the laser above the plane of the ground at the end of the lower beam [m].
+  /// Height of the laser above a plane through the end of the lower beam with the trend of the
+  /// ground [m].
   [[nodiscard]] float laser_height_m(const Gap& gap) const;
   [[nodiscard]] float spacing_m(const Gap& gap) const;
   [[nodiscard]] bool passes_over(const Gap& gap) const;

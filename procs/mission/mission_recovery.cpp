@@ -13,9 +13,10 @@
 namespace adit {
 namespace {
 
-constexpr double kBackOffBesideM = 1.2;   // from the nose to the centre of the vehicle
-constexpr double kApproachMarginM = 0.3;  // before the place where paths end
-constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the obstacle may be
+constexpr double kBackOffBesideM = 1.2;  // from the nose to the centre of the vehicle
+// Before the place where paths end: the steepest beams reach the ground so far ahead of the nose.
+constexpr double kApproachMarginM = 1.0;
+constexpr double kObstacleDepthM = 1.0;  // beyond the reached place, where the obstacle may be
 // On steeper ground terrain of earlier scans may stand up as an obstacle: its place and its height
 // have errors that the slope couples [m/m].
 constexpr double kSlopeReliable = 0.15;

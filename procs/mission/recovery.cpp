@@ -8,9 +8,9 @@
 namespace adit {
 namespace {
 
-constexpr int kRejectionsMax = 6;  // per target, whatever was tried
-constexpr int kObservedMin = 2;    // a verdict rests on scans from two poses
-constexpr double kApproachMinM = 1.0;
+constexpr int kRejectionsMax = 6;      // per target, whatever was tried
+constexpr int kObservedMin = 2;        // a verdict rests on scans from two poses
+constexpr double kApproachMinM = 1.3;  // the robot stops a metre before
 
 using Action = Recovery::Action;
 using Evidence = Recovery::Evidence;

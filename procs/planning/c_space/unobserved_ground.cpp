@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -94,7 +93,8 @@ bool BlindZone::contains(const Eigen::Vector2d& p_level) const {
 
 namespace {
 
-constexpr std::size_t kRimRank = 3;  // of the rim: fewer stray cells have no effect
+constexpr std::ptrdiff_t kDropCells = 10;  // that show a drop: fewer may be stray beams
+constexpr std::size_t kRimRank = 3;        // of the rim: fewer stray cells have no effect
 
 /// A connected region of cells that beams passed over.
 struct Depression {
@@ -164,10 +164,11 @@ TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m, double gr
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const Depression depression = depressions.of(column, row);
-      std::ranges::copy_if(depression.cells, std::back_inserter(unconfirmed),
-                           [&](std::size_t cell) {
-                             return !is_drop(terrain, cell, depression, step_max_m, grade_max);
-                           });
+      const auto drops = std::ranges::count_if(depression.cells, [&](std::size_t cell) {
+        return is_drop(terrain, cell, depression, step_max_m, grade_max);
+      });
+      if (drops >= kDropCells) continue;
+      unconfirmed.insert(unconfirmed.end(), depression.cells.begin(), depression.cells.end());
     }
   }
   for (const std::size_t i : unconfirmed) terrain.cells[i].ground = Ground::kNeverObserved;

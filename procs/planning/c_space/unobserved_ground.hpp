@@ -30,9 +30,9 @@ class BlindZone {
 /// The terrain map with the unconfirmed drops set to Ground::kNeverObserved. Beams that pass over
 /// a cell without a return show only that its ground is lower than they are: this holds in a pit,
 /// but also behind a rail, behind the crest of a slope and where even ground returns nothing. A
-/// drop is confirmed if the beam over it is lower than passable ground can be: than ground that
-/// falls from the observed rim of the connected depression with a slope of `grade_max` [m/m] and by
-/// a step of `step_max_m`, which a wheel climbs.
+/// connected depression is a confirmed drop if the beams over some of its cells are lower than
+/// passable ground can be there: than ground that falls from the observed rim with a slope of
+/// `grade_max` [m/m] and by a step of `step_max_m`, which a wheel climbs.
 TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m, double grade_max);
 
 }  // namespace adit

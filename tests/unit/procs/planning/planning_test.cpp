@@ -274,6 +274,17 @@ TEST(Planning, IsBlockedBehindAnEdgeOnlyIfNoPassableGroundCanLieThere) {
   }
 }
 
+/// Seen from 2.8 m before it: the lowest beams pass over its far edge 0.46 m below the floor.
+TEST(Planning, IsBlockedByAPitThatIsWideAcrossTheCorridor) {
+  TerrainMap terrain = corridor_with(unmeasured_cell(Ground::kBelowRay), {3.8, -2.0}, {5.9, 2.0});
+  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
+    const Eigen::Vector2i at = terrain.cells.cell(i);
+    if (terrain.cells[i].ground != Ground::kBelowRay) continue;
+    terrain.cells[i].low_m = static_cast<float>(-0.22 * (terrain.centre(at.x(), at.y()).x() - 3.8));
+  }
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
+}
+
 TEST(Planning, IsBlockedByAPitWithAnObservedWall) {
   // Beams pass over the pit down to 0.3 m below the floor and meet some of its wall far below;
   // there is room beside it. The wall lowers the mean height of the rim by 0.15 m.

@@ -58,7 +58,7 @@ void PlanningNode::try_plan() {
   goal_.reset();
 }
 
-/// Along the traversed path, with the clearance that a scan showed on the way there.
+/// Along the traversed path, with the clearance that a scan showed outbound.
 PlannedPath PlanningNode::retraced() const {
   PlannedPath path = retrace(*goal_, *T_odom_body_);
   clearance_.apply(path);

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// The clearance along the paths that were planned over scans, for the way back along them without
+/// The clearance along the paths that were planned over scans, for a return along them without
 /// a scan. Frame odom; forgotten where odom was reset.
 class KnownClearance {
  public:

@@ -30,7 +30,7 @@ PlannedPath back(double from_m, double to_m) {
   return retrace(goal, goal.traversed_path_odom.front());
 }
 
-TEST(KnownClearance, IsThatOfTheWayThere) {
+TEST(KnownClearance, IsThatOfThePlannedPath) {
   KnownClearance known;
   known.add_path(planned(0.0, 5.0));
   PlannedPath path = back(5.0, 0.0);

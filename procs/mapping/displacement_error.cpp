@@ -13,6 +13,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
+bool is_mostly_turn(const Eigen::Vector3d& direction) { return std::abs(direction.z()) > 0.7; }
+
 double duration_s(const ScanMatch& match) { return seconds(match.utime - match.reference_utime); }
 
 }  // namespace
@@ -48,7 +50,7 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
     end_unobserved_stretch();
     return;
   }
-  unobserved_.add(unobserved_error(match));
+  unobserved_.add(unobserved_error(T_last_body, match));
   unobserved_m_ += T_last_body.translation().norm();
   unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
 }
@@ -78,10 +80,11 @@ void DisplacementError::end_unobserved_stretch() {
 }
 
 DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
-    const ScanMatch& match) const {
+    const Pose2& T_last_body, const ScanMatch& match) const {
   ErrorCovariance part;
   if (match.status == ScanMatch::Status::kMatched) {
-    for (const auto& direction : match.degenerate) part.add(unconstrained_error(direction, match));
+    for (const auto& direction : match.degenerate)
+      part.add(unconstrained_error(direction, T_last_body, match));
     return part;
   }
   // The pose is the prediction: by an assumed speed, or by odometry if the covariance is smaller.
@@ -99,7 +102,7 @@ DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
 }
 
 DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
-    const DegenerateDirection& direction, const ScanMatch& match) const {
+    const DegenerateDirection& direction, const Pose2& T_last_body, const ScanMatch& match) const {
   ErrorCovariance part;
   const double lever = match.lever_arm_m;
   const Eigen::Vector3d& v = direction.direction;
@@ -108,6 +111,11 @@ DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
     const Eigen::Vector3d sd(params_.speed_sd_m_s, params_.speed_sd_m_s,
                              params_.turn_sd_rad_s * lever);
     part.common_root = duration_s(match) * u * v.cwiseProduct(sd).transpose();
+  } else if (direction.fill == DegenerateDirection::Fill::kOdometry && !is_mostly_turn(v)) {
+    const Eigen::Vector2d step = T_last_body.translation();
+    const double scale_m = params_.wheels_scale_sd * v.head<2>().dot(step);
+    part.independent = square(params_.wheels_m_per_sqrt_m) * step.norm() * u * u.transpose();
+    part.common_root = scale_m * u * Eigen::RowVector3d::UnitX();
   } else {
     const Eigen::Vector3d w = v.cwiseProduct(Eigen::Vector3d(1.0, 1.0, lever));
     part.independent = w.dot(match.covariance * w) * u * u.transpose();

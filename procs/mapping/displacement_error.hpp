@@ -19,8 +19,10 @@ struct DisplacementErrorParams {
   double drift_m_per_sqrt_m = 0.004;  ///< random walk along the path
   double drift_rad_per_sqrt_m = 0.0008;
   double drift_rad_per_sqrt_rad = 0.0015;
-  double dense_m = 0.25;      ///< scans farther apart sample the walls less densely and drift more
-  double speed_sd_m_s = 0.3;  ///< of unobserved motion, for which the last speed is assumed
+  double dense_m = 0.25;  ///< scans farther apart sample the walls less densely and drift more
+  double wheels_m_per_sqrt_m = 0.03;  ///< of a distance that only the wheels measured: random walk
+  double wheels_scale_sd = 0.015;     ///< and error of scale, the same over a displacement
+  double speed_sd_m_s = 0.3;          ///< of unobserved motion, for which the last speed is assumed
   double turn_sd_rad_s = 0.3;
   /// Walls observed before an unobserved stretch shorter than this are observed again after it.
   double unobserved_max_m = 1.0;
@@ -34,6 +36,8 @@ struct DisplacementErrorParams {
     v("drift_rad_per_sqrt_m", drift_rad_per_sqrt_m, within(0.0, 1.0));
     v("drift_rad_per_sqrt_rad", drift_rad_per_sqrt_rad, within(0.0, 1.0));
     v("dense_m", dense_m, above(0.0));
+    v("wheels_m_per_sqrt_m", wheels_m_per_sqrt_m, within(0.0, 10.0));
+    v("wheels_scale_sd", wheels_scale_sd, within(0.0, 1.0));
     v("speed_sd_m_s", speed_sd_m_s, within(0.001, 100.0));
     v("turn_sd_rad_s", turn_sd_rad_s, within(0.001, 100.0));
     v("unobserved_max_m", unobserved_max_m, within(0.0, 100.0));
@@ -45,9 +49,11 @@ struct DisplacementErrorParams {
 /// matching matches each scan against the walls of many metres, so the errors of its steps mostly
 /// cancel, and the sum of their covariances is not the error of the displacement. What remains is a
 /// drift with path length and turns, and, in degenerate directions, the error of what replaced the
-/// scan: that of the odometry, assumed independent from step to step, or that of an assumed speed,
-/// which is the same in all steps. A short stretch of degenerate or lost scans leaves no error: the
-/// next good scan is matched against the same walls.
+/// scan: that of the wheels, a random walk and an error of scale (Borenstein and Feng, "Measurement
+/// and correction of systematic odometry errors in mobile robots", 1996); that of the gyro, assumed
+/// independent from step to step; or that of an assumed speed, which is the same in all steps. A
+/// short stretch of degenerate or lost scans leaves no error: the next good scan is matched against
+/// the same walls.
 ///
 /// Two lasers are matched each against what it saw itself. Where surfaces deceive one of them, such
 /// as ground that it takes for a wall, their poses part, and later only one of them remains. Which
@@ -81,8 +87,10 @@ class DisplacementError {
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  [[nodiscard]] ErrorCovariance unobserved_error(const ScanMatch& match) const;
+  [[nodiscard]] ErrorCovariance unobserved_error(const Pose2& T_last_body,
+                                                 const ScanMatch& match) const;
   [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
+                                                    const Pose2& T_last_body,
                                                     const ScanMatch& match) const;
   void end_unobserved_stretch();
   void add_disagreement(const Pose2& T_last_body, const ScanMatch& match);

@@ -6,6 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Geometry>
+
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -29,6 +33,20 @@ constexpr int kMapsMonitored = 4;
 constexpr double kRedundantShare = 0.98;
 // Tolerated error of the estimated pose of a map, for its inconsistency.
 const Eigen::Vector3d kInconsistencySd(0.2, 0.2, 0.02);
+
+// Share of the covariance of a displacement that the mean of what was seen along it has, if the
+// error is a random walk and the walls are seen evenly.
+constexpr double kDeformationShare = 1.0 / 3.0;
+// A body that rests near home is localised by what it saw over this last distance.
+constexpr double kSeenAtRestM = 1.0;
+constexpr double kRestS = 2.0;  // without a stored scan
+constexpr double kNearHomeM = 5.0;
+constexpr double kSureSdM = 0.05;  // a smaller standard deviation needs no improvement
+
+/// Of (x, y, θ).
+Eigen::Matrix3d rotation_of(double angle_rad) {
+  return Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
 
 bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
@@ -99,8 +117,73 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
                                       const ScanMatch& match) {
   update_odom(match);
   auto map = builder_.add(channel, scan, match);
-  if (!map) return std::nullopt;
-  return add_local_map(std::move(*map));
+  if (map) return add_local_map(std::move(*map));
+  const std::vector<LocalScan>& scans = builder_.current().scans;
+  if (scans.empty()) return std::nullopt;
+  if (builder_.current().end_utime != rest_utime_) {  // the body moves
+    rest_utime_ = builder_.current().end_utime;
+    rested_ = false;
+    at_rest_.reset();
+  } else if (!rested_ && seconds(scan.utime - rest_utime_) >= kRestS) {
+    rested_ = true;
+    localise_at_rest();
+  }
+  return std::nullopt;
+}
+
+/// The pose of a body that rests near home may depend on the wheels over two local maps, although
+/// it sees the walls of the first one. What it saw last is therefore matched as a local map that
+/// begins at the body, so that no displacement lies between, and is not stored.
+void Mapping::localise_at_rest() {
+  if (maps_.empty() || odom_ != Odom::kKnown || localization_ || !session_is_connected()) return;
+  const Eigen::Matrix3d before_covariance = body_covariance();
+  LocalMap here = map_at_body();
+  const Pose2 T_map_here = association_.hypothesis().T_map_local.back() * here.T_previous_local;
+  if (between(association_.hypothesis().T_map_local.front(), T_map_here).translation().norm() >
+          kNearHomeM ||
+      position_sd_m(before_covariance) < kSureSdM)
+    return;
+  LazyAssociation::Checkpoint before = association_.checkpoint();
+  const Pose2 T_odom_here = here.T_odom_local;
+  const int id = here.id;
+  append_map(std::move(here));
+  update_heights();
+  const auto decided =
+      association_.decide(loop_closures(id, association_.trial(), false), maps_.back().utime);
+  const bool found = std::ranges::any_of(
+      decided, [](const Association& a) { return a.chosen != Association::kNone; });
+  const Eigen::Matrix3d covariance = association_.trial().covariance(0, id);
+  if (found && position_sd_m(covariance) < position_sd_m(before_covariance)) {
+    at_rest_ = {association_.hypothesis().T_map_local.back() * T_odom_here.inverse(), covariance};
+  }
+  association_.roll_back(std::move(before));
+  maps_.pop_back();
+  walls_.pop_back();
+  extents_.pop_back();
+  update_heights();
+}
+
+/// The last part of the unfinished local map, as a local map that begins at the body.
+LocalMap Mapping::map_at_body() const {
+  LocalMap here = builder_.current();
+  const LocalScan last = here.scans.back();
+  std::erase_if(here.scans, [&](const LocalScan& scan) {
+    return between(last.T_local_body, scan.T_local_body).translation().norm() > kSeenAtRestM;
+  });
+  for (LocalScan& scan : here.scans) {
+    scan.T_local_body = between(last.T_local_body, scan.T_local_body);
+    scan.z_m -= last.z_m;
+  }
+  const UncertainPose T_previous_here =
+      UncertainPose{here.T_previous_local, here.information.inverse()} *
+      UncertainPose{last.T_local_body, builder_.covariance_local_body()};
+  here.utime = here.scans.front().scan.utime;
+  here.T_odom_local = here.T_odom_local * last.T_local_body;
+  here.T_previous_local = T_previous_here.T_from_to;
+  here.information = T_previous_here.covariance.inverse();
+  here.climb_m += last.z_m;
+  here.z_odom_m += last.z_m;
+  return here;
 }
 
 std::optional<MapUpdate> Mapping::finish() {
@@ -110,6 +193,7 @@ std::optional<MapUpdate> Mapping::finish() {
 }
 
 MapUpdate Mapping::add_local_map(LocalMap map) {
+  at_rest_.reset();
   const bool begins = begins_session(map, maps_);
   if (begins) link_session(map);
   if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
@@ -319,7 +403,31 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
     if (!loop_closure.alternatives.empty()) found.push_back(std::move(loop_closure));
   }
   sort_by_likelihood(found);
+  add_deformations(found);
   return found;
+}
+
+/// Covariance of the place of a local map's walls, in its frame: (x, y, θ), without the lever arm
+/// of the heading. What was seen from its end has the error of the displacement to the next one,
+/// what was seen at its beginning none; of the mean the variance is less than half.
+Eigen::Matrix3d Mapping::deformation(int map) const {
+  const std::size_t next = static_cast<std::size_t>(map) + 1;
+  const LocalMap& end = next < maps_.size() ? maps_[next] : builder_.current();
+  if (end.id != map + 1 || end.session != maps_[next - 1].session) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d R = rotation_of(end.T_previous_local.theta);
+  return kDeformationShare * R * end.information.inverse() * R.transpose();
+}
+
+/// A match places rigid walls, but both maps are bent by the errors of their displacements.
+void Mapping::add_deformations(std::vector<LoopClosure>& loop_closures) const {
+  for (LoopClosure& loop_closure : loop_closures) {
+    const Eigen::Matrix3d newer = deformation(loop_closure.newer_map);
+    for (LoopClosureAlternative& alternative : loop_closure.alternatives) {
+      const Eigen::Matrix3d R = rotation_of(-alternative.T_older_newer.theta);
+      const Eigen::Matrix3d older = R * deformation(alternative.older_map) * R.transpose();
+      alternative.information = with_added_covariance(alternative.information, newer + older);
+    }
+  }
 }
 
 /// The contradictions between the newest maps and the older ones that they overlap, at these poses.
@@ -390,6 +498,11 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.z_variance = heights_.variance(0, newest.id);
   correction.covariance = covariance_;
   correction.body_covariance = body_covariance();
+  if (at_rest_) {
+    correction.utime = builder_.current().end_utime;
+    correction.T_map_odom = at_rest_->T_map_odom;
+    correction.body_covariance = at_rest_->body_covariance;
+  }
   if (localization_) {
     correction.utime = localization_->utime;
     correction.local_map = localization_->older_map;

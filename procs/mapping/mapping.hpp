@@ -109,6 +109,8 @@ class Mapping : private Evidence {
 
  private:
   MapUpdate add_local_map(LocalMap map);
+  void localise_at_rest();
+  [[nodiscard]] LocalMap map_at_body() const;
   std::vector<Association> associate(const LocalMap& newest);
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
@@ -125,6 +127,8 @@ class Mapping : private Evidence {
                                                        bool thorough) const override;
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
+  [[nodiscard]] Eigen::Matrix3d deformation(int map) const;
+  void add_deformations(std::vector<LoopClosure>& loop_closures) const;
   [[nodiscard]] std::vector<PlacedWalls> walls_around(int map,
                                                       std::span<const Pose2> T_map_local) const;
 
@@ -156,6 +160,14 @@ class Mapping : private Evidence {
     double z_map_odom_m = 0.0;
   };
   std::optional<Localization> localization_;
+  /// Where the body rests near home, from a match of what it sees there; until it moves.
+  struct Rest {
+    Pose2 T_map_odom;
+    Eigen::Matrix3d body_covariance;  ///< as in MapCorrection
+  };
+  std::optional<Rest> at_rest_;
+  std::int64_t rest_utime_ = 0;  ///< of the last stored scan
+  bool rested_ = false;          ///< localised since then, or tried
 };
 
 }  // namespace adit

@@ -12,6 +12,7 @@ namespace adit {
 namespace {
 
 constexpr double kExplorationTimeoutS = 300.0;  // it may restart, and wait for the map
+constexpr double kLookS = 5.0;                  // mapping takes 2 s and reports each second
 constexpr double kScanTimeoutS = 30.0;          // a sweep takes 8 s
 constexpr double kPlanTimeoutS = 10.0;
 constexpr double kDrivingTimeoutS = 3.0;
@@ -133,6 +134,7 @@ std::optional<ExploreRequest> Mission::explore() {
     note_failed_try("exploration does not answer");
     return std::nullopt;
   }
+  if (looks_at_home_ && clock_.phase_age_s() < kLookS) return std::nullopt;
   if (!clock_.is_request_due()) return std::nullopt;
   return ExploreRequest{*clock_.utime(), explore_id_, phase_.remaining_m, return_is_final_,
                         verdict_};
@@ -411,6 +413,7 @@ void Mission::enter(Phase phase, const std::string& reason) {
   phase_.phase = phase;
   phase_.reason = reason;
   if (phase == Phase::kExplore) ++explore_id_;
+  if (phase != Phase::kExplore) looks_at_home_ = false;
   if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
 }
 

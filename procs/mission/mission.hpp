@@ -167,6 +167,7 @@ class Mission {
   HomeArrival home_arrival_;
   /// Before each drive near home for new matches with the local maps there, see end_at_home().
   std::vector<double> home_uncertainties_m_;
+  bool looks_at_home_ = false;             ///< stands there until mapping has matched what it sees
   std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
   double slope_ = 0.0;  ///< of the ground under the body, by the last match [m/m]
   std::set<std::optional<std::int32_t>> narrow_frontiers_;  ///< with Evidence::kNarrow

@@ -137,12 +137,22 @@ void Mission::end_near_home(const std::string& reason) {
                           home_arrival_.distance_m(*localization_.T_odom_body()), reason));
 }
 
-/// Where the pose relative to home is too uncertain, the robot drives along the traversed path and
+/// Where the pose relative to home is too uncertain, the robot stands for some seconds, in which
+/// mapping matches what it sees. If that does not suffice it drives along the traversed path and
 /// comes home again: mapping then matches new local maps with those of the start.
 void Mission::end_at_home(const std::string& reason) {
   const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
   if (!uncertainty_m) return end(MissionOutcome::kHome, "the robot is at home: " + reason);
   const bool is_sure = *uncertainty_m <= params_.home_uncertainty_max_m;
+  if (!is_sure && !looks_at_home_) {
+    looks_at_home_ = true;
+    enter(Phase::kExplore,
+          fmt::format("at home by the estimate, but the pose has an uncertainty of {:.2f} m (95 "
+                      "%): looking from standstill: {}",
+                      *uncertainty_m, reason));
+    return;
+  }
+  looks_at_home_ = false;
   if (!is_sure && can_match_at_home(*uncertainty_m)) {
     home_uncertainties_m_.push_back(*uncertainty_m);
     begin(BackOff{PlanGoal::Kind::kRetrace, kMatchAtHomeM,

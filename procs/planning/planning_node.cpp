@@ -33,6 +33,7 @@ PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning
                        });
   subscribe<pose_t>(bus, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
     T_odom_body_ = pose.T_odom_body;
+    clearance_.add_pose(pose.T_odom_body);
     try_plan();
   });
   subscribe<plan_goal_t>(bus, channels::kGoal, Delivery::latest(), [this](const PlanGoal& goal) {
@@ -44,14 +45,24 @@ PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning
 void PlanningNode::try_plan() {
   if (!goal_ || !T_odom_body_) return;
   if (goal_->kind == PlanGoal::Kind::kRetrace) {
-    publish(bus_, channels::kPath, to_message(retrace(*goal_, *T_odom_body_)));
+    publish(bus_, channels::kPath, to_message(retraced()));
   } else if (terrain_) {
-    publish(bus_, channels::kPath, to_message(plan()));
+    const PlannedPath path = plan();
+    // The part of a rejoin along the traversed path is not over a scan.
+    if (goal_->kind != PlanGoal::Kind::kRejoin) clearance_.add_path(path);
+    publish(bus_, channels::kPath, to_message(path));
     release_memory();
   } else {
     return;
   }
   goal_.reset();
+}
+
+/// Along the traversed path, with the clearance that a scan showed outbound.
+PlannedPath PlanningNode::retraced() const {
+  PlannedPath path = retrace(*goal_, *T_odom_body_);
+  clearance_.apply(path);
+  return path;
 }
 
 /// Every goal gets an answer, even if the terrain cannot be planned on.

@@ -7,6 +7,7 @@
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/terrain.hpp"
+#include "procs/planning/goals/known_clearance.hpp"
 #include "procs/planning/planning.hpp"
 
 namespace adit {
@@ -27,12 +28,14 @@ class PlanningNode {
  private:
   void try_plan();
   [[nodiscard]] PlannedPath plan();
+  [[nodiscard]] PlannedPath retraced() const;
 
   Bus& bus_;
   Planning planning_;
   TerrainReassembler assembler_;
   std::optional<TerrainMap> terrain_;
   std::optional<Pose2> T_odom_body_;
+  KnownClearance clearance_;
   std::optional<PlanGoal> goal_;  ///< pending
   std::string failure_;           ///< error of the last plan; empty without one
 };

@@ -45,14 +45,6 @@ std::vector<SurfacePoint> flat(std::vector<SurfacePoint> points) {
   return points;
 }
 
-/// The covariance C = I⁻¹ enlarged by a floor F, as an information that stays zero where I is zero:
-/// (C + F)⁻¹ = I (1 + F I)⁻¹.
-Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matrix3d& floor) {
-  const Eigen::Matrix3d sum = Eigen::Matrix3d::Identity() + floor * information;
-  const Eigen::Matrix3d result = information * sum.inverse();
-  return 0.5 * (result + result.transpose());
-}
-
 /// The matching of two maps.
 class MapMatcher {
  public:
@@ -67,7 +59,8 @@ class MapMatcher {
         newer_path_(newer.path),
         newer_(SurfelMapParams{}),
         newer_views_(newer.views),
-        older_(SurfelMapParams{}) {
+        older_(SurfelMapParams{}),
+        older_alone_(SurfelMapParams{}) {
     newer_.insert(flat(newer.points), {}, 0.0);
     for (const PlacedWalls& placed : older) {
       older_.insert(flat(placed.walls->points), placed.T_older_walls, 0.0);
@@ -82,6 +75,7 @@ class MapMatcher {
     }
     newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
     if (older.empty()) return;
+    older_alone_.insert(flat(older.front().walls->points), older.front().T_older_walls, 0.0);
     older_points_ = evenly_sampled(older.front().walls->points, params.points_max);
     older_step_m_ = older.front().walls->length_m / std::max<std::size_t>(1, older_points_.size());
   }
@@ -183,13 +177,30 @@ class MapMatcher {
   /// Without a prior: the graph already contains the prediction, which must not count twice.
   [[nodiscard]] PointToLineResult align(const std::vector<SurfacePoint>& points, const Pose2& start,
                                         const PointToLineParams& params) const {
-    return match_point_to_line(points, older_, start, {start, Eigen::Matrix3d::Zero()}, params);
+    return align_to(older_, points, start, params);
   }
 
-  [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
+  [[nodiscard]] static PointToLineResult align_to(const SurfelMap& older,
+                                                  const std::vector<SurfacePoint>& points,
+                                                  const Pose2& start,
+                                                  const PointToLineParams& params) {
+    return match_point_to_line(points, older, start, {start, Eigen::Matrix3d::Zero()}, params);
+  }
+
+  /// Against the walls of the older map alone, if they suffice: its neighbours help to recognise
+  /// the place, but lie where the displacements between them say.
+  [[nodiscard]] PointToLineResult align_finely(const Pose2& start) const {
     PointToLineParams fine = params_.refinement;
     fine.scale_start_m = fine.scale_end_m;
     const PointToLineResult match = align(newer_flat_, start, fine);
+    const PointToLineResult alone = align_to(older_alone_, newer_flat_, match.T_odom_body, fine);
+    const bool suffices = alone.overlap >= params_.observed_share_min && alone.converged &&
+                          same(alone.T_odom_body, match.T_odom_body);
+    return suffices ? alone : match;
+  }
+
+  [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
+    const PointToLineResult match = align_finely(start);
     if (match.overlap < params_.observed_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
     const ConstrainedInformation constrained =
@@ -202,7 +213,7 @@ class MapMatcher {
     if (!in_gate(alternative.T_older_newer, constrained.covariance + floor_covariance)) {
       return std::nullopt;
     }
-    alternative.information = with_floor(constrained.information, floor_covariance);
+    alternative.information = with_added_covariance(constrained.information, floor_covariance);
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
   }
 
@@ -264,7 +275,8 @@ class MapMatcher {
   SurfelMap newer_;
   const std::vector<LocalWalls::View>& newer_views_;
   std::vector<SurfacePoint> older_points_;
-  SurfelMap older_;
+  SurfelMap older_;  ///< with its neighbours
+  SurfelMap older_alone_;
   std::vector<Eigen::Vector3d> older_path_;
   std::vector<LocalWalls::View> older_views_;
   double newer_step_m_ = 0.0;  ///< length of wall per point
@@ -273,6 +285,13 @@ class MapMatcher {
 };
 
 }  // namespace
+
+Eigen::Matrix3d with_added_covariance(const Eigen::Matrix3d& information,
+                                      const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix3d sum = Eigen::Matrix3d::Identity() + covariance * information;
+  const Eigen::Matrix3d result = information * sum.inverse();
+  return 0.5 * (result + result.transpose());
+}
 
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
                      const Pose2& T_older_newer, const MapMatchingParams& params) {

@@ -85,6 +85,11 @@ std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
                                                const RelativePose& predicted,
                                                const MapMatchingParams& params);
 
+/// The covariance C = I⁻¹ enlarged by A, as an information that stays zero where I is zero:
+/// (C + A)⁻¹ = I (1 + A I)⁻¹.
+Eigen::Matrix3d with_added_covariance(const Eigen::Matrix3d& information,
+                                      const Eigen::Matrix3d& covariance);
+
 /// The evidence against a pose of the newer map, or one close by, even without overlap: −2
 /// log-likelihood ratio of the number of walls of each map in the free space of the other, against
 /// the number for maps of one place. Chi-square with one or two degrees of freedom if the pose is

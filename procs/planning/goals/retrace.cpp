@@ -11,7 +11,8 @@ namespace adit {
 namespace {
 
 constexpr double kLengthMinM = 0.5;
-constexpr double kClearanceM = 0.1;     // unknown, therefore small: the robot drives slowly
+// Unknown here, therefore small: the robot drives slowly unless KnownClearance shows more.
+constexpr double kClearanceM = 0.1;
 constexpr double kPoseSpacingM = 0.05;  // closer poses do not define the direction of travel
 constexpr double kGapM = 0.5;           // maximum distance of consecutive poses
 

@@ -67,13 +67,42 @@ TEST(DisplacementError, OfHeadingPropagatesToPosition) {
   EXPECT_NEAR(sd(error, 1), std::hypot(swept, params.drift_m_per_sqrt_m * std::sqrt(50.0)), 2e-3);
 }
 
-TEST(DisplacementError, UsesOdometryInDegenerateDirections) {
-  DisplacementError error{DisplacementErrorParams{}};
+TEST(DisplacementError, UsesTheWheelsInDegenerateDirections) {
+  const DisplacementErrorParams params;
+  DisplacementError error{params};
   drive(error, open_along_x(DegenerateDirection::Fill::kOdometry), 50);
-  EXPECT_NEAR(sd(error, 0), 0.02 * std::sqrt(50.0), 0.01);  // independent from step to step
+  const double walk_m = params.wheels_m_per_sqrt_m * std::sqrt(5.0);
+  const double scale_m = params.wheels_scale_sd * 5.0;  // common to all steps
+  const double drift_m = params.drift_m_per_sqrt_m * std::sqrt(5.0);
+  const double all_m = std::sqrt(walk_m * walk_m + scale_m * scale_m + drift_m * drift_m);
+  EXPECT_NEAR(sd(error, 0), all_m, params.floor_m);
   DisplacementError closed{DisplacementErrorParams{}};
   drive(closed, matched(), 50);
   EXPECT_NEAR(sd(error, 1), sd(closed, 1), 1e-6);  // the direction across is constrained by scans
+}
+
+TEST(DisplacementError, OfTheWheelsDependsOnDistanceAndNotOnTheNumberOfScans) {
+  DisplacementError few{DisplacementErrorParams{}};
+  drive(few, open_along_x(DegenerateDirection::Fill::kOdometry), 50);
+  DisplacementError many{DisplacementErrorParams{}};
+  for (int i = 0; i < 5000; ++i) {
+    many.add_step({kStepM / 100.0, 0.0, 0.0}, open_along_x(DegenerateDirection::Fill::kOdometry));
+    many.add_travel(kStepM / 100.0, 0.0);
+  }
+  EXPECT_NEAR(sd(few, 0), sd(many, 0), 1e-9);
+}
+
+TEST(DisplacementError, OfTheScaleOfWheelsVanishesThereAndBack) {
+  DisplacementErrorParams params;
+  params.wheels_m_per_sqrt_m = 0.0;
+  DisplacementError error{params};
+  ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
+  drive(error, match, 50);
+  EXPECT_GT(sd(error, 0), params.wheels_scale_sd * 5.0);
+  for (int i = 0; i < 50; ++i) error.add_step({-kStepM, 0.0, 0.0}, match);
+  DisplacementError closed{params};
+  drive(closed, matched(), 50);
+  EXPECT_NEAR(sd(error, 0), sd(closed, 0), 1e-9);
 }
 
 TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTime) {

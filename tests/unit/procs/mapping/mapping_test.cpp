@@ -34,14 +34,19 @@ Pose2 pose_at(double distance_m) {
 
 class Shuttle {
  public:
-  explicit Shuttle(int maps_per_place_max, double gate = LazyAssociationParams{}.gate)
-      : gate_(gate) {
+  explicit Shuttle(int maps_per_place_max, double gate = LazyAssociationParams{}.gate,
+                   bool by_wheels = false)
+      : gate_(gate), by_wheels_(by_wheels) {
     restart(maps_per_place_max);
   }
 
   void go(double distance_m) {
     for (const double end = distance_m_ + distance_m; distance_m_ < end; distance_m_ += kStepM)
       step();
+  }
+
+  void rest(int scans) {
+    for (int i = 0; i < scans; ++i) step();
   }
 
   /// Restarts from the stored map. Odom continues.
@@ -78,6 +83,8 @@ class Shuttle {
     match.status = utime_ == kStart ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kMatched;
     match.reference_utime = utime_ == kStart ? 0 : utime_ - kStepUs;
     match.T_odom_body = T_odom_body_;
+    if (by_wheels_)
+      match.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry}};
     const LaserScan scan = laser_.measure(T_world_body_, utime_);
     if (const auto update = mapping->add(test::kFront, scan, match); update && update->stored) {
       decided_.insert(decided_.end(), update->associations.begin(), update->associations.end());
@@ -86,6 +93,7 @@ class Shuttle {
   }
 
   double gate_;
+  bool by_wheels_;  ///< scan matching does not measure the motion along the tunnel
   test::LevelLaser laser_{test::sample_mine(1), 1};
   std::vector<Association> decided_;
   double distance_m_ = 0.0;
@@ -140,6 +148,47 @@ TEST(MappingOfRevisitedPlaces, BodyIsUncertainFarFromHomeAndCertainThere) {
       EXPECT_LT(sd_m(), 0.8 * far_m) << round;
     }
   }
+}
+
+/// The newest local map may end before home, and only the wheels lead from there to the body.
+TEST(MappingOfRevisitedPlaces, LocalisesABodyThatRestsNearHome) {
+  Shuttle shuttle(0, LazyAssociationParams{}.gate, true);
+  shuttle.go(2.0 * kTunnelM - 3.0);  // in the middle of a local map
+  const auto sd_m = [&] { return position_sd_m(shuttle.mapping->correction()->body_covariance); };
+  const auto poses = shuttle.mapping->graph().poses;
+  const double driven_m = sd_m();
+  shuttle.rest(4);
+  EXPECT_LT(sd_m(), 0.8 * driven_m);
+  EXPECT_LT(shuttle.error_m(), 2.448 * sd_m());
+  EXPECT_EQ(shuttle.mapping->graph().poses, poses);  // nothing is stored for it
+  shuttle.go(0.4);
+  EXPECT_GT(sd_m(), 0.9 * driven_m);  // only while it rests
+}
+
+TEST(MappingOfRevisitedPlaces, DoesNotLocaliseABodyThatRestsElsewhere) {
+  Shuttle shuttle(0, LazyAssociationParams{}.gate, true);
+  shuttle.go(2.0 * kTunnelM - 12.0);
+  const MapCorrection before = *shuttle.mapping->correction();
+  shuttle.rest(4);
+  EXPECT_EQ(shuttle.mapping->correction()->T_map_odom, before.T_map_odom);
+}
+
+/// Both local maps are bent by what the wheels err within them.
+TEST(MappingOfRevisitedPlaces, IsNoSurerOfALoopClosureThanOfTheLocalMapsThemselves) {
+  Shuttle shuttle(0, LazyAssociationParams{}.gate, true);
+  shuttle.go(2.0 * kTunnelM);
+  const MapGraph graph = shuttle.mapping->graph();
+  const DisplacementErrorParams error;
+  const double bent_m2 = (error.wheels_m_per_sqrt_m * error.wheels_m_per_sqrt_m * 5.0 +
+                          error.wheels_scale_sd * error.wheels_scale_sd * 25.0) /
+                         3.0;
+  int loop_closures = 0;
+  for (const MapConstraint& constraint : graph.constraints) {
+    if (constraint.kind != MapConstraint::Kind::kLoopClosure) continue;
+    ++loop_closures;
+    EXPECT_LT(constraint.measured.information(0, 0), 1.0 / (1.9 * bent_m2));
+  }
+  EXPECT_GT(loop_closures, 3);
 }
 
 TEST(MappingOfRevisitedPlaces, StoresMapsOfNewPlaces) {

@@ -85,7 +85,20 @@ class MissionAtHome : public ScriptedStages {
     arrive();
     ASSERT_EQ(now(), Phase::kExplore);
   }
+  /// The robot stands and exploration is not asked, until mapping has matched what is seen.
+  void look() {
+    answer(Kind::kDone);
+    ASSERT_EQ(now(), Phase::kExplore);
+    EXPECT_THAT(phase().reason, HasSubstr("looking from standstill"));
+    const int explores = explores_;
+    wait(4.0);
+    EXPECT_EQ(explores_, explores);
+    wait(2.0);
+    EXPECT_GT(explores_, explores);
+  }
   void expect_drive_for_a_match() {
+    look();
+    answer(Kind::kDone);
     ASSERT_EQ(now(), Phase::kPlan);
     EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
     EXPECT_THAT(phase().reason, HasSubstr("matching again"));
@@ -107,7 +120,6 @@ TEST_F(MissionAtHome, SaysWithinWhichDistanceOfTheStartItIs) {
 
 TEST_F(MissionAtHome, MatchesAgainIfThePoseIsUncertain) {
   map_with_body_sd(0.4);
-  answer(Kind::kDone);
   expect_drive_for_a_match();
   map_with_body_sd(0.1);
   answer(Kind::kDone);
@@ -119,10 +131,10 @@ TEST_F(MissionAtHome, MatchesAgainIfThePoseIsUncertain) {
 TEST_F(MissionAtHome, IsNotSureIfThePoseStaysUncertain) {
   for (const double sd_m : {0.6, 0.5}) {
     map_with_body_sd(sd_m);
-    answer(Kind::kDone);
     expect_drive_for_a_match();
   }
   map_with_body_sd(0.4);  // better, but the tries are used
+  look();
   answer(Kind::kDone);
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
@@ -132,12 +144,21 @@ TEST_F(MissionAtHome, IsNotSureIfThePoseStaysUncertain) {
 
 TEST_F(MissionAtHome, DoesNotMatchAgainIfThatDoesNotHelp) {
   map_with_body_sd(0.5);
-  answer(Kind::kDone);
   expect_drive_for_a_match();
   map_with_body_sd(0.6);
+  look();
   answer(Kind::kDone);
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
+}
+
+TEST_F(MissionAtHome, LooksFromStandstillBeforeItDrivesForAMatch) {
+  map_with_body_sd(0.4);
+  look();
+  map_with_body_sd(0.1);  // mapping has matched what is seen
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
 }
 
 }  // namespace

@@ -50,6 +50,29 @@ INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
                          testing::Values(Pose2{}, Pose2{1.5, 1.0, 0.0}, Pose2{-2.0, 0.5, 0.3},
                                          Pose2{0.5, -1.5, -0.4}));
 
+/// A neighbour lies where the displacement to it says, which may be wrong.
+TEST(MapMatching, DependsOnTheOlderMapAndNotOnThePlacesOfItsNeighbours) {
+  const test::WallWorld mine = test::sample_mine(3);
+  const Pose2 T_world_older{8.0, 0.0, 0.0};
+  const Pose2 truth{1.0, 0.2, 0.1};
+  const LocalWalls older = walls_of(mine, T_world_older);
+  const LocalWalls next = walls_of(mine, T_world_older * Pose2{5.0, 0.0, 0.0}, 5.0, 3);
+  const LocalWalls newer = walls_of(mine, T_world_older * truth, 5.0, 2);
+  const auto found =
+      match_maps(newer, {{&older, {}}, {&next, {5.1, 0.0, 0.0}}}, 7, around(truth, 0.3, 0.05), {});
+  ASSERT_FALSE(found.empty());
+  expect_near(found.front().T_older_newer, truth, 0.01, 0.003);  // the floor of the model, twice
+}
+
+TEST(MapMatching, AddsACovarianceAndLeavesUnknownDirectionsUnknown) {
+  const Eigen::Matrix3d information = Eigen::Vector3d(0.0, 400.0, 1e4).asDiagonal();
+  const Eigen::Matrix3d added = Eigen::Vector3d(0.04, 0.0075, 3e-4).asDiagonal();
+  const Eigen::Matrix3d sum = with_added_covariance(information, added);
+  const Eigen::Matrix3d expected =
+      Eigen::Vector3d(0.0, 1.0 / (0.0025 + 0.0075), 1.0 / (1e-4 + 3e-4)).asDiagonal();
+  EXPECT_TRUE(sum.isApprox(expected, 1e-9)) << sum;
+}
+
 TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
   const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};

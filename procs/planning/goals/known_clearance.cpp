@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/goals/known_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+constexpr double kNearM = 0.25;  // points of a path are 0.2 m apart
+constexpr double kNearRad = 0.2;
+constexpr double kJumpM = 0.5;  // between two poses
+constexpr double kJumpRad = 0.5;
+constexpr std::size_t kPointsMax = 100'000;  // 20 km
+
+std::int64_t cell_along(double x_m) { return static_cast<std::int64_t>(std::floor(x_m / kNearM)); }
+
+bool is_at(const Pose2& T_odom_a, const Pose2& T_odom_b) {
+  return (T_odom_a.translation() - T_odom_b.translation()).norm() <= kNearM &&
+         std::abs(angle_diff(T_odom_a.theta, T_odom_b.theta)) <= kNearRad;
+}
+
+}  // namespace
+
+void KnownClearance::add_pose(const Pose2& T_odom_body) {
+  if (T_odom_body_) {
+    const Pose2 step = between(*T_odom_body_, T_odom_body);
+    if (step.translation().norm() > kJumpM || std::abs(step.theta) > kJumpRad) {
+      cells_.clear();
+      points_ = 0;
+    }
+  }
+  T_odom_body_ = T_odom_body;
+}
+
+void KnownClearance::add_path(const PlannedPath& path) {
+  if (path.outcome != PlanOutcome::kFound) return;
+  if (points_ + path.points.size() > kPointsMax) {
+    cells_.clear();
+    points_ = 0;
+  }
+  for (const PathPoint& point : path.points) {
+    const Eigen::Vector2d p = point.T_odom_body.translation();
+    cells_[{cell_along(p.x()), cell_along(p.y())}].push_back(
+        {point.T_odom_body, point.clearance_m});
+  }
+  points_ += path.points.size();
+}
+
+std::optional<double> KnownClearance::at(const Pose2& T_odom_body) const {
+  const std::int64_t column = cell_along(T_odom_body.x);
+  const std::int64_t row = cell_along(T_odom_body.y);
+  std::optional<double> least_m;
+  for (std::int64_t i = column - 1; i <= column + 1; ++i) {
+    for (std::int64_t j = row - 1; j <= row + 1; ++j) {
+      const auto cell = cells_.find({i, j});
+      if (cell == cells_.end()) continue;
+      for (const Point& point : cell->second) {
+        if (!is_at(point.T_odom_body, T_odom_body)) continue;
+        least_m = std::min(least_m.value_or(point.clearance_m), point.clearance_m);
+      }
+    }
+  }
+  return least_m;
+}
+
+void KnownClearance::apply(PlannedPath& path) const {
+  for (PathPoint& point : path.points) {
+    point.clearance_m = at(point.T_odom_body).value_or(point.clearance_m);
+  }
+}
+
+}  // namespace adit

@@ -25,8 +25,6 @@ constexpr std::size_t kRelocalisations = 3;
 // Minimum log-likelihood of a place if the pose is otherwise unknown: wrong places reach about 8,
 // the correct one mostly has 20 and more.
 constexpr double kRelocalisedLogLikelihood = 15.0;
-// Factor on the number of candidates after the likely ones were wrong.
-constexpr int kThorough = 4;
 // The number of newest maps whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
 // Share of its walls that a local map has in common with others if it shows nothing new.
@@ -381,16 +379,16 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
   std::vector<Pose2> poses = trial.hypothesis().T_map_local;
   poses.resize(static_cast<std::size_t>(map) + 1);
   LoopClosureCandidatesParams params = params_.candidates;
-  if (thorough) params.most *= kThorough;
   // The link to the previous session is too loose for neighbours in the chain to be excluded.
   const bool loosely_linked = !joined && !params_.carried;
   if (loosely_linked) {
     params.neighbours = 0;
     params.most += params_.candidates.neighbours;
   }
+  const auto candidates_of = thorough ? thorough_candidates : loop_closure_candidates;
   std::vector<LoopClosure> found;
   for (const LoopClosureCandidate& candidate :
-       loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), params)) {
+       candidates_of(poses, trial.covariances_to(map), up_to(map, extents_), params)) {
     if (loosely_linked && is_neighbour(candidate.older, map)) continue;
     LoopClosure loop_closure;
     loop_closure.newer_map = map;

@@ -361,8 +361,9 @@ void Mission::handle_failed_drive(const std::string& reason) {
   recover({Evidence::kDriveFailed, 0.0, reason});
 }
 
-std::optional<StoredPathPose> Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
-  return localization_.add_pose(utime, T_odom_body);
+std::optional<StoredPathPose> Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body,
+                                                double z_odom_m) {
+  return localization_.add_pose(utime, T_odom_body, z_odom_m);
 }
 
 /// After a reset of odom, plans in the previous odom frame are invalid.

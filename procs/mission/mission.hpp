@@ -78,7 +78,8 @@ class Mission {
                std::vector<StoredPathPose> path = {});
 
   /// Returns the pose if it must be stored.
-  std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body,
+                                         double z_odom_m = 0.0);
   void add_match(const ScanMatch& match);
   void add_correction(const MapCorrection& correction);
   void add_exploration(const ExplorationReport& report);

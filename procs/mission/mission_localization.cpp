@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mission/mission_localization.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "common/sensing/seconds.hpp"
@@ -22,10 +23,12 @@ void MissionLocalization::restore(std::int64_t last_utime, double distance_trave
 }
 
 std::optional<StoredPathPose> MissionLocalization::add_pose(std::int64_t utime,
-                                                            const Pose2& T_odom_body) {
-  if (!traversed_path_.add(utime, T_odom_body) || !odom_epoch_utime_) return std::nullopt;
-  return StoredPathPose{*odom_epoch_utime_, T_odom_body, T_map_odom_,
-                        traversed_path_.is_anchored()};
+                                                            const Pose2& T_odom_body,
+                                                            double z_odom_m) {
+  if (!traversed_path_.add(utime, T_odom_body, z_odom_m) || !odom_epoch_utime_) return std::nullopt;
+  return StoredPathPose{*odom_epoch_utime_, T_odom_body,
+                        T_map_odom_,        traversed_path_.is_anchored(),
+                        z_odom_m,           z_map_odom_m_};
 }
 
 MissionLocalization::OdomChange MissionLocalization::set_odom_epoch(std::int64_t odom_epoch_utime) {
@@ -40,7 +43,7 @@ MissionLocalization::OdomChange MissionLocalization::set_odom_epoch(std::int64_t
   has_correction_ = false;
   const auto T_map_before = std::exchange(T_map_odom_, std::nullopt);
   if (is_first) return OdomChange::kResetBeforeRestart;
-  traversed_path_.reset(T_map_before);
+  traversed_path_.reset(T_map_before, z_map_odom_m_);
   return OdomChange::kReset;
 }
 
@@ -53,12 +56,13 @@ void MissionLocalization::restore_path() {
   restored_path_.clear();
   path.set_distance_travelled(traversed_path_.distance_travelled_m());
   if (last.odom_epoch_utime != odom_epoch_utime_) {
-    path.reset(last.T_map_odom);
+    path.reset(last.T_map_odom, last.z_map_odom_m);
   } else if (!T_map_odom_) {
     T_map_odom_ = last.T_map_odom;
+    z_map_odom_m_ = last.z_map_odom_m;
   }
   if (traversed_path_.T_odom_body())
-    path.add(traversed_path_.utime(), *traversed_path_.T_odom_body());
+    path.add(traversed_path_.utime(), *traversed_path_.T_odom_body(), traversed_path_.z_odom_m());
   traversed_path_ = std::move(path);
 }
 
@@ -66,10 +70,12 @@ void MissionLocalization::add_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return;  // of the odom frame before
   has_correction_ = true;
   if (T_map_odom_ && *T_map_odom_ != correction.T_map_odom)
-    traversed_path_.correct(between(correction.T_map_odom, *T_map_odom_));
+    traversed_path_.correct(between(correction.T_map_odom, *T_map_odom_),
+                            z_map_odom_m_ - correction.z_map_odom_m);
   T_map_odom_ = correction.T_map_odom;
+  z_map_odom_m_ = correction.z_map_odom_m;
   body_sd_m_ = position_sd_m(correction.body_covariance);
-  if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom);
+  if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom, z_map_odom_m_);
 }
 
 std::optional<double> MissionLocalization::home_uncertainty_m() const {
@@ -79,11 +85,13 @@ std::optional<double> MissionLocalization::home_uncertainty_m() const {
 /// Home is the origin of map.
 std::optional<double> MissionLocalization::distance_from_home_m() const {
   if (!has_correction_ || !T_odom_body()) return std::nullopt;
-  return (*T_map_odom_ * *T_odom_body()).translation().norm();
+  const double z_m = z_map_odom_m_ + traversed_path_.z_odom_m();
+  return std::hypot((*T_map_odom_ * *T_odom_body()).translation().norm(), z_m);
 }
 
 void MissionLocalization::anchor_to_estimate() {
-  if (!traversed_path_.is_anchored() && T_map_odom_) traversed_path_.anchor(*T_map_odom_);
+  if (!traversed_path_.is_anchored() && T_map_odom_)
+    traversed_path_.anchor(*T_map_odom_, z_map_odom_m_);
 }
 
 bool MissionLocalization::has_recent_pose(std::int64_t utime) const {

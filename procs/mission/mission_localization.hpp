@@ -28,7 +28,8 @@ class MissionLocalization {
                std::vector<StoredPathPose> path);
 
   /// Returns the pose if it must be stored.
-  std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body,
+                                         double z_odom_m = 0.0);
   /// `odom_epoch_utime`: of the odom frame of a scan match.
   OdomChange set_odom_epoch(std::int64_t odom_epoch_utime);
   void add_correction(const MapCorrection& correction);
@@ -54,7 +55,7 @@ class MissionLocalization {
   /// How far the body may be from where the map has it relative to home, with a probability of
   /// 95 % [m]; empty before the first map correction of the present odom frame.
   [[nodiscard]] std::optional<double> home_uncertainty_m() const;
-  /// Distance of the body from home by the map [m]; empty as above.
+  /// Distance of the body from home by the map, in space [m]; empty as above.
   [[nodiscard]] std::optional<double> distance_from_home_m() const;
   [[nodiscard]] bool is_waiting_for_correction() const {
     return odom_was_reset_ && !has_correction_;
@@ -66,6 +67,7 @@ class MissionLocalization {
   TraversedPath traversed_path_;
   std::optional<std::int64_t> odom_epoch_utime_;
   std::optional<Pose2> T_map_odom_;  ///< of the present odom frame, also from before a restart
+  double z_map_odom_m_ = 0.0;        ///< its height in map
   double body_sd_m_ = 0.0;           ///< of the body relative to home, see MapCorrection
   bool has_correction_ = false;      ///< received since the present odom frame began
   bool odom_was_reset_ = false;

@@ -49,7 +49,8 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
 void MissionNode::subscribe_to_stages() {
   const auto queued = Delivery::queued(kQueueLength);
   subscribe<pose_t>(bus_, channels::kPose, queued, [this](const StampedPose& pose) {
-    if (const auto stored = mission_.add_pose(pose.utime, pose.T_odom_body)) store(*stored);
+    const auto stored = mission_.add_pose(pose.utime, pose.T_odom_body, pose.z_m);
+    if (stored) store(*stored);
   });
   subscribe<scan_match_t>(bus_, channels::kScanMatch, queued,
                           [this](const ScanMatch& match) { mission_.add_match(match); });

@@ -19,6 +19,7 @@ constexpr double kSpacingRad = 0.1;
 constexpr double kSameAlongM = 0.15;
 constexpr double kSameBesideM = 0.1;
 constexpr double kSameRad = 0.1;
+constexpr double kSameLevelM = 2.5;     // heights of the body on one level differ by less
 constexpr double kNewestMapsM = 10.0;   // path length of the newest two local maps
 constexpr std::size_t kRecentMax = 40;  // poses, 8 m
 constexpr double kLateralMaxM = 1.0;    // of a route that follows the path
@@ -42,7 +43,7 @@ std::vector<Pose2> backwards(const Pose2& T_odom_body, const Poses& poses, doubl
   return path;
 }
 
-struct Record {
+struct PlanarRecord {  // as before heights were stored
   std::int64_t odom_epoch_utime = 0;
   std::array<double, 3> T_odom_body{};
   std::array<double, 3> T_map_odom{};
@@ -50,53 +51,63 @@ struct Record {
   std::int64_t anchored = 0;
 };
 
+struct Record {
+  PlanarRecord planar;
+  double z_odom_m = 0.0;
+  double z_map_odom_m = 0.0;
+};
+
 std::array<double, 3> to_array(const Pose2& pose) { return {pose.x, pose.y, pose.theta}; }
 Pose2 to_pose(const std::array<double, 3>& array) { return {array[0], array[1], array[2]}; }
 
 }  // namespace
 
-bool TraversedPath::add(std::int64_t utime, const Pose2& T_odom_body) {
+bool TraversedPath::add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m) {
   utime_ = utime;
   T_odom_body_ = T_odom_body;
+  z_odom_m_ = z_odom_m;
   if (!poses_.empty()) {
     const Pose2 step = between(poses_.back(), T_odom_body);
     const double path_length_m = step.translation().norm();
     if (path_length_m < kSpacingM && std::abs(step.theta) < kSpacingRad) return false;
     distance_travelled_m_ += path_length_m;
   }
-  const auto same = std::find_if(poses_.begin(), poses_.end(), [&](const Pose2& T_odom_stored) {
-    return is_same(T_odom_stored, T_odom_body);
+  const auto same = std::find_if(poses_.begin(), poses_.end(), [&](const Place& stored) {
+    return std::abs(stored.z_m - z_odom_m) < kSameLevelM && is_same(stored, T_odom_body);
   });
   poses_.erase(same, poses_.end());
-  poses_.push_back(T_odom_body);
+  poses_.push_back({T_odom_body, z_odom_m});
   recent_.push_back(T_odom_body);
   if (recent_.size() > kRecentMax) recent_.pop_front();
   return true;
 }
 
-void TraversedPath::reset(const std::optional<Pose2>& T_map_odom) {
+void TraversedPath::reset(const std::optional<Pose2>& T_map_odom, double z_map_odom_m) {
   T_odom_body_.reset();
   recent_.clear();
   if (T_map_odom) {
-    for (const Pose2& pose : poses_) previous_map_poses_.push_back(*T_map_odom * pose);
+    for (const Place& place : poses_)
+      previous_map_poses_.push_back({*T_map_odom * place, z_map_odom_m + place.z_m});
   }
   poses_.clear();
 }
 
-void TraversedPath::anchor(const Pose2& T_map_odom) {
+void TraversedPath::anchor(const Pose2& T_map_odom, double z_map_odom_m) {
   const Pose2 T_odom_map = T_map_odom.inverse();
-  std::vector<Pose2> previous;
-  for (const Pose2& T_map_body : previous_map_poses_) previous.push_back(T_odom_map * T_map_body);
+  std::vector<Place> previous;
+  for (const Place& place : previous_map_poses_)
+    previous.push_back({T_odom_map * place, place.z_m - z_map_odom_m});
   poses_.insert(poses_.begin(), previous.begin(), previous.end());
   previous_map_poses_.clear();
 }
 
-void TraversedPath::correct(const Pose2& T_after_before) {
+void TraversedPath::correct(const Pose2& T_after_before, double z_after_before_m) {
   double path_length_m = 0.0;
   for (std::size_t i = poses_.size(); i-- > 0;) {
     if (i + 1 < poses_.size())
       path_length_m += (poses_[i].translation() - poses_[i + 1].translation()).norm();
-    if (path_length_m > kNewestMapsM) poses_[i] = T_after_before * poses_[i];
+    if (path_length_m > kNewestMapsM)
+      poses_[i] = {T_after_before * poses_[i], z_after_before_m + poses_[i].z_m};
   }
 }
 
@@ -125,6 +136,7 @@ std::vector<Pose2> TraversedPath::poses_back_within(double distance_m) const {
   const Eigen::Vector2d p_odom_body = T_odom_body_->translation();
   for (auto pose = poses_.rbegin(); pose != poses_.rend(); ++pose) {
     if (path.size() == PlanGoal::kPointsMax) break;
+    if (std::abs(pose->z_m - z_odom_m_) >= kSameLevelM) continue;
     if ((pose->translation() - p_odom_body).norm() <= distance_m) path.push_back(*pose);
   }
   return path;
@@ -149,33 +161,41 @@ double TraversedPath::shared_length_m(const std::vector<Eigen::Vector2d>& route_
 }
 
 std::vector<std::uint8_t> to_bytes(const StoredPathPose& pose) {
-  const Record record{pose.odom_epoch_utime, to_array(pose.T_odom_body),
-                      to_array(pose.T_map_odom.value_or(Pose2{})),
-                      pose.T_map_odom.has_value() ? 1 : 0, pose.anchored ? 1 : 0};
+  const Record record{{pose.odom_epoch_utime, to_array(pose.T_odom_body),
+                       to_array(pose.T_map_odom.value_or(Pose2{})),
+                       pose.T_map_odom.has_value() ? 1 : 0, pose.anchored ? 1 : 0},
+                      pose.z_odom_m,
+                      pose.z_map_odom_m};
   const auto bytes = bytes_of(record);
   return {bytes.begin(), bytes.end()};
 }
 
 std::optional<StoredPathPose> stored_path_pose_from(std::span<const std::uint8_t> bytes) {
-  const auto record = value_from_bytes<Record>(bytes);
+  auto record = value_from_bytes<Record>(bytes);
+  if (const auto planar = value_from_bytes<PlanarRecord>(bytes)) record = Record{*planar};
   if (!record) return std::nullopt;
+  const PlanarRecord& planar = record->planar;
   StoredPathPose pose{
-      record->odom_epoch_utime, to_pose(record->T_odom_body), {}, record->anchored != 0};
-  if (record->has_map_pose != 0) pose.T_map_odom = to_pose(record->T_map_odom);
+      planar.odom_epoch_utime, to_pose(planar.T_odom_body), {}, planar.anchored != 0,
+      record->z_odom_m,        record->z_map_odom_m};
+  if (planar.has_map_pose != 0) pose.T_map_odom = to_pose(planar.T_map_odom);
   return pose;
 }
 
 TraversedPath traversed_path_from(const std::vector<StoredPathPose>& poses) {
   TraversedPath path;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (i > 0 && poses[i].odom_epoch_utime != poses[i - 1].odom_epoch_utime) {
-      path.reset(poses[i - 1].T_map_odom);
-    } else if (i > 0 && poses[i].T_map_odom && poses[i - 1].T_map_odom &&
-               *poses[i].T_map_odom != *poses[i - 1].T_map_odom) {
-      path.correct(between(*poses[i].T_map_odom, *poses[i - 1].T_map_odom));
+    const StoredPathPose& pose = poses[i];
+    const StoredPathPose* before = i > 0 ? &poses[i - 1] : nullptr;
+    if (before != nullptr && pose.odom_epoch_utime != before->odom_epoch_utime) {
+      path.reset(before->T_map_odom, before->z_map_odom_m);
+    } else if (before != nullptr && pose.T_map_odom && before->T_map_odom &&
+               *pose.T_map_odom != *before->T_map_odom) {
+      path.correct(between(*pose.T_map_odom, *before->T_map_odom),
+                   before->z_map_odom_m - pose.z_map_odom_m);
     }
-    if (poses[i].anchored && poses[i].T_map_odom) path.anchor(*poses[i].T_map_odom);
-    path.add(0, poses[i].T_odom_body);
+    if (pose.anchored && pose.T_map_odom) path.anchor(*pose.T_map_odom, pose.z_map_odom_m);
+    path.add(0, pose.T_odom_body, pose.z_odom_m);
   }
   return path;
 }

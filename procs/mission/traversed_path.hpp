@@ -15,21 +15,24 @@
 namespace adit {
 
 /// The path that the body drove, in odom: its length, and the poses back to where odom began. When
-/// the body returns to an earlier pose, the loop in between is removed, as it need not be retraced.
-/// Nav2 and other stacks call it breadcrumbs.
+/// the body returns to an earlier pose, the loop in between is removed, as it need not be retraced;
+/// a pose above or below it, on another level, is another one. Nav2 and other stacks call it
+/// breadcrumbs.
 class TraversedPath {
  public:
   /// Takes the newest pose of the body. Returns true if it is far enough from the last stored one
-  /// to be stored.
-  bool add(std::int64_t utime, const Pose2& T_odom_body);
+  /// to be stored. `z_odom_m`: height of the body in odom; 0 if heights are unknown.
+  bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m = 0.0);
   /// Begins a new odom frame. The distance stays. The poses are available again once anchor() gives
   /// the new frame in map; they are lost if `T_map_odom` of the old frame is unknown.
-  void reset(const std::optional<Pose2>& T_map_odom);
+  /// `z_map_odom_m`: height of the old frame in map.
+  void reset(const std::optional<Pose2>& T_map_odom, double z_map_odom_m = 0.0);
   /// Sets where the present odom frame lies in map, and prepends the poses of earlier odom frames.
-  void anchor(const Pose2& T_map_odom);
+  void anchor(const Pose2& T_map_odom, double z_map_odom_m = 0.0);
   /// Odom moved in map by a loop closure: `T_after_before` is the old pose of odom in the new one.
-  /// Poses of the newest local maps keep their place in odom, earlier ones that in map.
-  void correct(const Pose2& T_after_before);
+  /// `z_after_before_m` its height. Poses of the newest local maps keep their place in odom,
+  /// earlier ones that in map.
+  void correct(const Pose2& T_after_before, double z_after_before_m = 0.0);
   /// The distance travelled before a restart [m].
   void set_distance_travelled(double distance_travelled_m) {
     distance_travelled_m_ = distance_travelled_m;
@@ -46,7 +49,10 @@ class TraversedPath {
   [[nodiscard]] std::vector<Pose2> back(double length_m) const;
   /// The length of that path [m]. Turns on the spot have none.
   [[nodiscard]] double back_length_m(double length_m) const;
-  /// T_odom_body from the present pose backwards, within a distance of the body.
+  /// Height of the body in odom at that pose [m].
+  [[nodiscard]] double z_odom_m() const { return z_odom_m_; }
+  /// T_odom_body from the present pose backwards, within a distance of the body in plan, on its
+  /// level.
   [[nodiscard]] std::vector<Pose2> poses_back_within(double distance_m) const;
   /// As back(), but with loops, so also where the body came back to its start; the last 8 m at
   /// most.
@@ -58,10 +64,14 @@ class TraversedPath {
  private:
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
+  double z_odom_m_ = 0.0;
   double distance_travelled_m_ = 0.0;
-  std::vector<Pose2> poses_;               ///< T_odom_body, the newest last
+  struct Place : Pose2 {
+    double z_m = 0.0;
+  };
+  std::vector<Place> poses_;               ///< T_odom_body, the newest last
   std::deque<Pose2> recent_;               ///< the same with loops, the newest last
-  std::vector<Pose2> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
+  std::vector<Place> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
 };
 
 /// A pose of the traversed path as it is stored on disk.
@@ -70,6 +80,8 @@ struct StoredPathPose {
   Pose2 T_odom_body;
   std::optional<Pose2> T_map_odom;  ///< if it was known at that time
   bool anchored = false;            ///< the path continues into the odom frames before
+  double z_odom_m = 0.0;            ///< height of the body in odom
+  double z_map_odom_m = 0.0;        ///< and of odom in map, as T_map_odom
 
   friend bool operator==(const StoredPathPose&, const StoredPathPose&) = default;
 };

@@ -17,6 +17,7 @@ constexpr double kDrivenCellM = 0.5;
 constexpr double kNearM = 0.15;
 constexpr double kNearShare = 0.01;
 constexpr double kObstacleM = 0.3;
+constexpr double kTunnelM = 2.5;  // farther below the ground that was driven on is another level
 
 std::uint64_t key(const Eigen::Vector2i& cell) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y())) << 32U) |
@@ -82,8 +83,8 @@ KnownGround::Surface KnownGround::surface_at(const Eigen::Vector2d& p_odom, doub
   }
   const auto driven = driven_z_m_.find(key(cell_of(p_odom, kDrivenCellM)));
   if (driven == driven_z_m_.end()) return Surface::kUnknown;
-  return z_odom_m - static_cast<double>(driven->second) < near_m ? Surface::kGround
-                                                                 : Surface::kUnknown;
+  const double above_m = z_odom_m - static_cast<double>(driven->second);
+  return above_m < near_m && above_m > -kTunnelM ? Surface::kGround : Surface::kUnknown;
 }
 
 }  // namespace adit

@@ -347,14 +347,17 @@ SharedCells KnownSpace::shared_cells() const {
   SharedCells shared(atlas_, box());
   for (const auto& [id, entry] : entries_) {
     if (!entry.T_map_local || entry.layers.size() < 2) continue;
+    const auto add = [&](const Eigen::Vector2d& p_local) {
+      shared.add(cell_of(*entry.T_map_local * p_local, resolution_m()), entry.layers);
+    };
     for (const Eigen::Vector2i& cell : entry.tile.free) {
       for (const auto& [dx, dy] :
            {std::pair(0.25, 0.25), {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}}) {
-        const Eigen::Vector2d p_local =
-            resolution_m() * (cell.cast<double>() + Eigen::Vector2d(dx, dy));
-        shared.add(cell_of(*entry.T_map_local * p_local, resolution_m()), entry.layers);
+        add(resolution_m() * (cell.cast<double>() + Eigen::Vector2d(dx, dy)));
       }
     }
+    // A return is no wall where a 3D scan shows ground, or where most beams pass.
+    for (const WallCell& wall : entry.tile.walls) add(wall.p_local);
   }
   return shared;
 }

@@ -164,4 +164,17 @@ std::vector<LoopClosureCandidate> loop_closure_candidates(
   return chosen;
 }
 
+std::vector<LoopClosureCandidate> thorough_candidates(std::span<const Pose2> poses,
+                                                      std::span<const Eigen::Matrix3d> covariances,
+                                                      std::span<const MapExtent> extents,
+                                                      const LoopClosureCandidatesParams& params) {
+  constexpr int kMore = 4;
+  constexpr double kSds = 3.0;
+  LoopClosureCandidatesParams more = params;
+  more.most *= kMore;
+  std::vector<Eigen::Matrix3d> wide(covariances.begin(), covariances.end());
+  for (Eigen::Matrix3d& covariance : wide) covariance *= kSds * kSds;
+  return loop_closure_candidates(poses, wide, extents, more);
+}
+
 }  // namespace adit

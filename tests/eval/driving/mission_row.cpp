@@ -29,7 +29,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_
                                    local_maps, in_interval, in_ellipsoid, normalised_error_squared,
                                    rmse_estimated_m, rmse_estimated_z_m, length_ratio, verdicts,
                                    false_verdicts, unconfirmed, route_home_verdicts, complete,
-                                   rescans, back_offs, guard_stops)
+                                   rescans, back_offs, guard_stops, loop_closures, between_levels,
+                                   merged_m)
 
 }  // namespace test
 
@@ -82,10 +83,11 @@ struct MissionSums {
       false_verdicts = 0;
   int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
       certainly_false_complete = 0, guard_stops = 0;
-  std::size_t local_maps = 0, in_ellipsoid = 0;
+  std::size_t local_maps = 0, in_ellipsoid = 0, loop_closures = 0, between_levels = 0;
   std::array<std::size_t, 3> in_interval{};
   double plan_of_allowed = 0.0, height_of_allowed = 0.0, normalised_error_squared = 0.0;
   double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
+  double merged_m = 0.0;
 
   void add(const test::MissionScore& score) {
     returned += score.outcome == "home";
@@ -108,6 +110,9 @@ struct MissionSums {
         static_cast<double>(score.local_maps) * score.normalised_error_squared;
     plan_of_allowed = std::max(plan_of_allowed, score.plan_of_allowed);
     height_of_allowed = std::max(height_of_allowed, score.height_of_allowed);
+    loop_closures += score.loop_closures;
+    between_levels += score.between_levels;
+    merged_m += score.merged_m;
     covered_share += score.covered_share;
     distance_travelled_m += score.distance_travelled_m;
     simulated_s += score.simulated_s;
@@ -159,7 +164,7 @@ void print_table(const std::vector<MissionRow>& rows) {
       "| x, y, z in 95 % interval (%); in ellipsoid (%) | RMSE, online (m) | length ratio | "
       "blocked | falsely blocked "
       "| unconfirmed | on the return route | complete | falsely complete | rescans | back-offs "
-      "| guard stops |");
+      "| guard stops | loop closures; between levels | merged (m) |");
   for (const auto& [name, world, score] : rows) {
     std::cout
         << format("| %s | %s | %.2f | %.0f | %.0f | %.1f | %.0f; %.0f | %.0f | %.0f | %.0f | %d ",
@@ -170,11 +175,13 @@ void print_table(const std::vector<MissionRow>& rows) {
         << format("| %.3f; %.1f | %.3f; %.1f | %s ", score.rmse_m, score.plan_of_allowed,
                   score.rmse_xyz_m[2], score.height_of_allowed,
                   coverage_text(score.in_interval, score.in_ellipsoid, score.local_maps).c_str())
-        << format("| %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d |\n",
+        << format("| %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d ",
                   score.rmse_estimated_m, score.length_ratio, score.verdicts, score.false_verdicts,
                   score.unconfirmed, score.route_home_verdicts, score.complete ? "yes" : "no",
                   score.false_complete() ? "yes" : "no", score.rescans, score.back_offs,
-                  score.guard_stops);
+                  score.guard_stops)
+        << format("| %zu; %zu | %.1f |\n", score.loop_closures, score.between_levels,
+                  score.merged_m);
   }
 }
 
@@ -197,6 +204,9 @@ void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
              "| reported complete; falsely; falsely for the vehicle with margin | %d; %d; %d |\n",
              sum.complete, sum.false_complete, sum.certainly_false_complete)
       << format("| guard stops | %d |\n", sum.guard_stops)
+      << format("| loop closures; between levels | %zu; %zu |\n", sum.loop_closures,
+                sum.between_levels)
+      << format("| path merged with another place | %.1f m |\n", sum.merged_m)
       << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
       << format("| largest RMSE over the allowed, in plan; in height | %.1f; %.1f |\n",
                 sum.plan_of_allowed, sum.height_of_allowed)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // mission_table MINES..: complete missions in simulated mines with all stages in one process, as a
-// table in Markdown. A mine is a world name, random:COUNT for COUNT random mines, or
-// random_level:COUNT for as many level ones.
+// table in Markdown. A mine is a world name, random:COUNT for COUNT random mines,
+// random_level:COUNT for as many level ones, or two_levels:COUNT for as many with two levels.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -29,6 +29,7 @@ WorldChoice mission_mine(const std::string& name, int number) {
   WorldChoice choice;
   choice.name = name;
   choice.seed = number;
+  if (name == "two_levels") return choice;
   choice.topology = kTopologies[n % kTopologies.size()];
   choice.damage = kDamages[n % kDamages.size()];
   choice.length_m = kLengthsM[n % kLengthsM.size()];
@@ -46,7 +47,8 @@ std::vector<MissionRow> rows_of(const Options& options) {
   std::vector<MissionRow> rows;
   for (const std::string& mine : options.mines) {
     const std::string name = mine.substr(0, mine.find(':'));
-    if ((name != "random" && name != "random_level") || name == mine) {
+    const bool is_random = name == "random" || name == "random_level" || name == "two_levels";
+    if (!is_random || name == mine) {
       rows.push_back({mine, {mine, {}, {}, {}, {}}, {}});
       continue;
     }
@@ -73,7 +75,8 @@ void run(const Options& options) {
 int main(int argc, char** argv) try {
   CLI::App app("Runs complete missions in simulated mines, as a table in Markdown");
   adit::Options options;
-  app.add_option("MINES", options.mines, "World names, random:COUNT, or random_level:COUNT")
+  app.add_option("MINES", options.mines,
+                 "World names, random:COUNT, random_level:COUNT, or two_levels:COUNT")
       ->required();
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);

@@ -86,7 +86,13 @@ class Reader {
                               correction_.z_map_odom_m + pose.z_m});
   }
   void add(const PoseGraphFragment& fragment) {
-    if (auto graph = graphs_.add(fragment)) graph_ = std::move(*graph);
+    auto graph = graphs_.add(fragment);
+    if (!graph) return;
+    graph_ = std::move(*graph);
+    for (const MapConstraint& c : graph_.constraints) {
+      if (c.kind != MapConstraint::Kind::kLoopClosure) continue;
+      log_.loop_closures.insert({c.measured.from, c.measured.to});
+    }
   }
   void add(const MissionPhase& phase) {
     executes_ = phase.phase == Phase::kExecute;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct MissionLog {
   Trajectory mapped;     ///< T_map_body by the last graph, from the first local map on
   MapGraph graph;        ///< the last one
   std::map<int, std::int64_t> local_map_utimes;  ///< begin of each local map
+  std::set<std::array<int, 2>> loop_closures;    ///< pairs of local maps that were ever linked
   std::vector<MissionPhase> phases;              ///< each change once
   std::vector<BlockedVerdict> verdicts;          ///< each once
   std::optional<ExplorationReport> report;       ///< the last

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/robots/exploring_robot.hpp"
+#include "tools/eval/level_consistency.hpp"
 #include "tools/eval/map_consistency.hpp"
 #include "tools/eval/trajectory_score.hpp"
 
@@ -91,6 +92,11 @@ void add_trajectory(const MissionLog& log, MissionScore& score) {
 }
 
 void add_consistency(const MissionLog& log, MissionScore& score) {
+  const LevelConsistency levels =
+      score_levels(log.loop_closures, log.local_map_utimes, log.mapped, log.truth);
+  score.loop_closures = levels.loop_closures;
+  score.between_levels = levels.between_levels;
+  score.merged_m = levels.merged_m;
   const auto consistency = score_consistency(log.graph, log.local_map_utimes, log.truth);
   if (!consistency) return;
   score.local_maps = consistency->local_maps;

@@ -3,6 +3,7 @@
 #include "procs/mission/traversed_path.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -92,6 +93,38 @@ TEST(TraversedPath, DoesNotRemoveALoopToAnotherPose) {
   }
 }
 
+/// Once around a spiral ramp, to the place below its beginning.
+TraversedPath once_down_a_spiral(double climb_m) {
+  constexpr double kRadiusM = 10.0;
+  constexpr int kSteps = 320;
+  TraversedPath traversed;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSteps;
+    traversed.add(i, {kRadiusM * std::sin(angle), kRadiusM * (1.0 - std::cos(angle)), angle},
+                  climb_m * i / kSteps);
+  }
+  return traversed;
+}
+
+TEST(TraversedPath, KeepsALoopToAnotherLevel) {
+  EXPECT_LT(once_down_a_spiral(-1.0).back_length_m(100.0), 1.0);  // the same tunnel: removed
+  EXPECT_NEAR(once_down_a_spiral(-5.0).back_length_m(100.0), 62.8, 0.1);
+}
+
+TEST(TraversedPath, ReturnsPosesNearbyOfTheSameLevelOnly) {
+  // 3 m of this level, 0.39 m apart, not the 3 m at the beginning above it.
+  EXPECT_EQ(once_down_a_spiral(-5.0).poses_back_within(3.0).size(), 9U);
+}
+
+/// The heights in odom are 0.5 m wrong, which a loop closure corrects.
+TEST(TraversedPath, MovesEarlyPosesInHeightToo) {
+  TraversedPath traversed = once_down_a_spiral(-2.7);
+  EXPECT_NEAR(traversed.back_length_m(100.0), 62.8, 0.1);
+  traversed.correct({}, -0.5);
+  traversed.add(1000, {0.3, 0.0, 0.0}, -2.7);
+  EXPECT_LT(traversed.back_length_m(100.0), 1.0);
+}
+
 TEST(TraversedPath, HasNoLengthForATurnOnTheSpot) {
   TraversedPath traversed;
   for (int i = 0; i < 20; ++i) traversed.add(i, {0.0, 0.0, 0.12 * i});
@@ -172,7 +205,7 @@ constexpr std::int64_t kOdom = 1'600'000'000'000'000;
 TEST(StoredPath, RoundTripsThroughBytes) {
   for (const StoredPathPose& pose :
        {StoredPathPose{kOdom, {1.0, -2.0, 0.3}, {}, false},
-        StoredPathPose{kOdom, {1.0, -2.0, 0.3}, Pose2{4.0, 5.0, -3.0}, true}}) {
+        StoredPathPose{kOdom, {1.0, -2.0, 0.3}, Pose2{4.0, 5.0, -3.0}, true, -6.0, 0.4}}) {
     const auto bytes = to_bytes(pose);
     EXPECT_EQ(stored_path_pose_from(bytes), pose);
     EXPECT_FALSE(stored_path_pose_from(std::span(bytes).first(bytes.size() - 1)));

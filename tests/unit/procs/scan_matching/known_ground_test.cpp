@@ -91,5 +91,12 @@ TEST(KnownGround, RemembersTheGroundThatWasDrivenOn) {
   EXPECT_EQ(ground.surface_at({2.6, 0.1}, 0.55, 2.0), Surface::kUnknown);
 }
 
+TEST(KnownGround, DoesNotTakeWallsBelowAnotherLevelForGround) {
+  KnownGround ground;
+  ground.add(Eigen::Vector2d(1.0, 0.0), 0.0);
+  EXPECT_EQ(ground.surface_at({1.0, 0.0}, -0.4, 5.0), Surface::kGround);
+  EXPECT_EQ(ground.surface_at({1.0, 0.0}, -4.5, 5.0), Surface::kUnknown);
+}
+
 }  // namespace
 }  // namespace adit

@@ -175,5 +175,31 @@ TEST(KnownSpace, PlacesGroundOnceItsLocalMapHasAPose) {
   EXPECT_EQ(at(p_end + Eigen::Vector2d(10.0, 0.0)), Occupancy::kUnseen);
 }
 
+LocalMapTile strip_that_observed(const std::vector<Eigen::Vector3d>& footprint) {
+  LocalMapTile tile = strip_with_end();
+  tile.footprint = footprint;
+  return tile;
+}
+
+/// The first two local maps lie above each other, the third continues both. A 3D scan may show
+/// ground where it has returns: then the cell is free in each layer, and the border of one layer is
+/// no frontier if the other one knows what follows.
+TEST(KnownSpace, SharesReturnsBetweenLayersToo) {
+  KnownSpace space{KnownSpaceParams{}};
+  space.add(0, strip_that_observed({{0.5, 0.5, 0.0}, {5.5, 0.5, 0.0}}));
+  space.add(1, strip_that_observed({{0.5, 0.5, -6.0}, {10.5, 0.5, 0.0}}));
+  space.add(2, strip_that_observed({{5.5, 0.5, 0.0}, {10.5, 0.5, 0.0}}));
+  const std::vector<double> level(3, 0.0);
+  space.pose({{}, {}, {}}, level, level);
+  ASSERT_EQ(space.poses_of(2).size(), 2U);
+  const SharedCells shared = space.shared_cells();
+  for (const Eigen::Vector2d& p : {Eigen::Vector2d(3.9, 0.1), Eigen::Vector2d(4.1, 0.1)}) {
+    std::vector<int> others;
+    shared.for_each(space.cells().index(cell_of(p, space.resolution_m())),
+                    [&](std::size_t, int layer) { others.push_back(layer); });
+    EXPECT_EQ(others, std::vector<int>{1}) << p.x();
+  }
+}
+
 }  // namespace
 }  // namespace adit

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,17 @@ TEST(LoopClosureCandidates, ExcludeNeighboursInTheChain) {
 TEST(LoopClosureCandidates, DependOnTheUncertaintyOfThePose) {
   EXPECT_TRUE(out_and_back(30.0, 0.1).older().empty());
   EXPECT_FALSE(out_and_back(30.0, 12.0).older().empty());
+}
+
+/// A place seven standard deviations from the prediction.
+TEST(LoopClosureCandidates, AreFartherAwayWhenThorough) {
+  const MappedPath mapped = out_and_back(28.0, 4.0);
+  const auto on_the_way_out = [](int older) { return older < 10; };
+  EXPECT_TRUE(std::ranges::none_of(mapped.older(), on_the_way_out));
+  const auto found = thorough_candidates(mapped.poses, mapped.covariances, mapped.extents, {});
+  ASSERT_FALSE(found.empty());
+  EXPECT_TRUE(std::ranges::any_of(found, on_the_way_out, &LoopClosureCandidate::older));
+  EXPECT_NEAR(found.front().predicted.covariance(0, 0), 9.0 * 4.0 * 4.0, 1e-9);
 }
 
 TEST(LoopClosureCandidates, AreFewAndDistinct) {

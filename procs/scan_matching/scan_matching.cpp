@@ -118,7 +118,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   match.ground_beams = std::move(observation.ground_beams);
   if (reference_.has_laser(laser)) {
     locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
-    standstill_.apply(expected, match);
+    standstill_.apply(laser, expected, match);
   } else {
     const bool enough = match.points >= params_.points_min;
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;

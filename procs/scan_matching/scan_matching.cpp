@@ -97,6 +97,12 @@ ScanMatching::ScanMatching(const ScanMatchingParams& params)
       search_(params.search),
       standstill_(params.standstill) {}
 
+bool ScanMatching::add(const WheelOdometry& reading) {
+  if (!motion_.add(reading)) return false;
+  attitude_.add(reading);
+  return true;
+}
+
 bool ScanMatching::add(const ImuReading& reading) {
   attitude_.add(reading);
   return motion_.add(reading);

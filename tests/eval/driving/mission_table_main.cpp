@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ WorldChoice mission_mine(const std::string& name, int number) {
 
 struct Options {
   std::vector<std::string> mines;
+  std::optional<int> seed;  // of named worlds
   int first = 1;
   int jobs = 1;
   MissionRowOptions row;
@@ -47,7 +49,7 @@ std::vector<MissionRow> rows_of(const Options& options) {
   for (const std::string& mine : options.mines) {
     const std::string name = mine.substr(0, mine.find(':'));
     if ((name != "random" && name != "random_level") || name == mine) {
-      rows.push_back({mine, {mine, {}, {}, {}, {}}, {}});
+      rows.push_back({mine, {mine, options.seed, {}, {}, {}}, {}});
       continue;
     }
     const int count = std::stoi(mine.substr(name.size() + 1));
@@ -75,6 +77,7 @@ int main(int argc, char** argv) try {
   adit::Options options;
   app.add_option("MINES", options.mines, "World names, random:COUNT, or random_level:COUNT")
       ->required();
+  app.add_option("--seed", options.seed, "Seed of named worlds, instead of their own");
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--jobs", options.jobs, "Number of missions at the same time")

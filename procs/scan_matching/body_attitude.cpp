@@ -13,7 +13,37 @@ constexpr double kGapMaxS = 0.2;  // maximum time for which a turn rate is extra
 // The speed is measured over intervals of this length: the noise of single poses would exceed it.
 constexpr double kSpeedS = 0.3;
 
+/// Of two measurements, the one nearer to zero; zero if their signs differ.
+double lesser(double a, double b) {
+  if (a * b <= 0.0) return 0.0;
+  return std::abs(a) < std::abs(b) ? a : b;
+}
+
 }  // namespace
+
+void RecentMotion::add(std::int64_t utime, const Pose2& T_frame_body) {
+  if (!poses_.empty() && utime < poses_.back().utime) return;
+  poses_.push_back({utime, T_frame_body});
+  while (poses_.size() > 2 && seconds(utime - poses_[1].utime) > 2.0 * kSpeedS) poses_.pop_front();
+  if (seconds(utime - poses_.front().utime) > 4.0 * kSpeedS) poses_.clear();  // a gap
+}
+
+std::optional<RecentMotion::Motion> RecentMotion::at(std::int64_t utime) const {
+  if (poses_.size() < 3) return std::nullopt;
+  const TimedPose& last = poses_.back();
+  if (seconds(utime - last.utime) > 2.0 * kSpeedS) return std::nullopt;
+  const TimedPose* middle = nullptr;
+  for (const TimedPose& pose : poses_) {
+    if (seconds(last.utime - pose.utime) >= kSpeedS) middle = &pose;
+  }
+  const TimedPose& first = poses_.front();
+  if (middle == nullptr || middle == &first) return std::nullopt;
+  const double before_s = seconds(middle->utime - first.utime);
+  const double after_s = seconds(last.utime - middle->utime);
+  const double before = between(first.T_frame_body, middle->T_frame_body).x / before_s;
+  const double after = between(middle->T_frame_body, last.T_frame_body).x / after_s;
+  return Motion{after, 2.0 * (after - before) / (before_s + after_s)};
+}
 
 void BodyAttitude::add(const ImuReading& reading) {
   if (reading.utime <= utime_) return;
@@ -38,25 +68,13 @@ void BodyAttitude::add(const ImuReading& reading) {
 /// of a turn. The first lags by half a second at most, which the filter does not notice: what
 /// matters is the sum.
 Eigen::Vector3d BodyAttitude::acceleration(const ImuReading& reading) const {
-  if (poses_.size() < 3) return Eigen::Vector3d::Zero();
-  const TimedPose& last = poses_.back();
-  const TimedPose* middle = nullptr;
-  for (const TimedPose& pose : poses_) {
-    if (seconds(last.utime - pose.utime) >= kSpeedS) middle = &pose;
-  }
-  const TimedPose& first = poses_.front();
-  if (middle == nullptr || middle == &first) return Eigen::Vector3d::Zero();
-  const double before_s = seconds(middle->utime - first.utime);
-  const double after_s = seconds(last.utime - middle->utime);
-  const double before = between(first.T_odom_body, middle->T_odom_body).x / before_s;
-  const double after = between(middle->T_odom_body, last.T_odom_body).x / after_s;
-  return {2.0 * (after - before) / (before_s + after_s), after * reading.angular_velocity.z(), 0.0};
-}
-
-void BodyAttitude::add(std::int64_t utime, const Pose2& T_odom_body) {
-  poses_.push_back({utime, T_odom_body});
-  while (poses_.size() > 2 && seconds(utime - poses_[1].utime) > 2.0 * kSpeedS) poses_.pop_front();
-  if (seconds(utime - poses_.front().utime) > 4.0 * kSpeedS) poses_.clear();  // a gap
+  const auto matched = matched_.at(reading.utime);
+  if (!matched) return Eigen::Vector3d::Zero();
+  const auto wheels = wheels_.at(reading.utime).value_or(*matched);
+  const double along = lesser(matched->acceleration_m_s2, wheels.acceleration_m_s2);
+  const double across = lesser(matched->speed_m_s, wheels.speed_m_s) * reading.angular_velocity.z();
+  const bool possible = std::abs(along) <= params_.acceleration_max_m_s2;
+  return {possible ? along : 0.0, across, 0.0};
 }
 
 void BodyAttitude::drive(double distance_m) {

@@ -24,6 +24,8 @@ struct BodyAttitudeParams {
   double ground_m = 10.0;
   double ramp_m = 2.0;
   double rise_max_m = 0.4;  ///< maximum change of a beam's height above the ground
+  /// Of the body; beyond, a match is wrong and not believed. Brakes reach 0.8 m/s².
+  double acceleration_max_m_s2 = 1.0;
 
   template <class V>
   void visit(V& v) {
@@ -31,11 +33,34 @@ struct BodyAttitudeParams {
     v("ground_m", ground_m, above(0.0));
     v("ramp_m", ramp_m, above(0.0));
     v("rise_max_m", rise_max_m, above(0.0));
+    v("acceleration_max_m_s2", acceleration_max_m_s2, at_least(0.0));
   }
 };
 
+/// Speed and acceleration along the body's x axis, from the poses of the last moments.
+class RecentMotion {
+ public:
+  struct Motion {
+    double speed_m_s = 0.0;
+    double acceleration_m_s2 = 0.0;  ///< between the means of two intervals of 0.3 s
+  };
+
+  /// In order of time.
+  void add(std::int64_t utime, const Pose2& T_frame_body);
+  /// Nothing after a gap, and without poses of the last 0.6 s.
+  [[nodiscard]] std::optional<Motion> at(std::int64_t utime) const;
+
+ private:
+  struct TimedPose {
+    std::int64_t utime = 0;
+    Pose2 T_frame_body;
+  };
+  std::deque<TimedPose> poses_;
+};
+
 /// Estimates roll and pitch of the body from the IMU, and the slope of the ground. The motion of
-/// the body, as scan matching measures it, is taken out of the specific force. With a wheel in mud
+/// the body is taken out of the specific force, as far as scan matching and wheels agree on it: a
+/// wrong match would tilt the body, which makes the next match worse. With a wheel in mud
 /// or on a rail, a level laser observes the floor ahead or behind, or the roof: points that move
 /// with the body, like a wall that reports no motion.
 class BodyAttitude {
@@ -46,7 +71,8 @@ class BodyAttitude {
   /// Ignores readings that do not advance in time or are not finite.
   void add(const ImuReading& reading);
   /// The pose of the body, in order of time.
-  void add(std::int64_t utime, const Pose2& T_odom_body);
+  void add(std::int64_t utime, const Pose2& T_odom_body) { matched_.add(utime, T_odom_body); }
+  void add(const WheelOdometry& reading) { wheels_.add(reading.utime, reading.T_wheel_body); }
   /// Reports the distance driven since the last call.
   void drive(double distance_m);
 
@@ -68,11 +94,8 @@ class BodyAttitude {
     Eigen::Vector2d ramp;
   };
   std::optional<MeanSlopes> slopes_;
-  struct TimedPose {
-    std::int64_t utime = 0;
-    Pose2 T_odom_body;
-  };
-  std::deque<TimedPose> poses_;  ///< of the last moments, for the speed
+  RecentMotion matched_;
+  RecentMotion wheels_;
 };
 
 }  // namespace adit

@@ -71,7 +71,7 @@ class ScanMatching {
   explicit ScanMatching(const ScanMatchingParams& params);
 
   /// False: the reading does not advance in time and is ignored.
-  bool add(const WheelOdometry& reading) { return motion_.add(reading); }
+  bool add(const WheelOdometry& reading);
   bool add(const ImuReading& reading);
   /// A terrain map of the last 3D scan, made where the body stands.
   void add(TerrainMap terrain);

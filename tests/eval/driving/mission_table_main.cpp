@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ WorldChoice mission_mine(const std::string& name, int number) {
 
 struct Options {
   std::vector<std::string> mines;
+  std::optional<int> seed;  // of named worlds
   int first = 1;
   int jobs = 1;
   MissionRowOptions row;
@@ -49,7 +51,7 @@ std::vector<MissionRow> rows_of(const Options& options) {
     const std::string name = mine.substr(0, mine.find(':'));
     const bool is_random = name == "random" || name == "random_level" || name == "two_levels";
     if (!is_random || name == mine) {
-      rows.push_back({mine, {mine, {}, {}, {}, {}}, {}});
+      rows.push_back({mine, {mine, options.seed, {}, {}, {}}, {}});
       continue;
     }
     const int count = std::stoi(mine.substr(name.size() + 1));
@@ -78,6 +80,7 @@ int main(int argc, char** argv) try {
   app.add_option("MINES", options.mines,
                  "World names, random:COUNT, random_level:COUNT, or two_levels:COUNT")
       ->required();
+  app.add_option("--seed", options.seed, "Seed of named worlds, instead of their own");
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--jobs", options.jobs, "Number of missions at the same time")

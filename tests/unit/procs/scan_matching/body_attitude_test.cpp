@@ -166,6 +166,35 @@ TEST(BodyAttitude, IsNotTiltedByTheAccelerationOfTheBody) {
   EXPECT_LT(worst_rad, 0.005);
 }
 
+/// Largest pitch of a body at rest whose matched pose runs away for a second: the feedback of a
+/// wrong match on the attitude that the next match uses.
+double pitch_by_a_wrong_match(double acceleration_m_s2, bool with_wheels,
+                              const BodyAttitudeParams& params = {}) {
+  BodyAttitude body_attitude{params};
+  double worst_rad = 0.0;
+  for (int i = 1; i <= 300; ++i) {
+    const std::int64_t utime = i * kPeriod;
+    body_attitude.add(ImuReading{utime, kStill, kUp});
+    const double wrong_s = std::max(0.0, 0.01 * (i - 200));
+    body_attitude.add(utime, Pose2{0.5 * acceleration_m_s2 * wrong_s * wrong_s, 0.0, 0.0});
+    if (with_wheels) body_attitude.add(WheelOdometry{utime, {}});
+    worst_rad = std::max(worst_rad, std::abs(body_attitude.attitude()->pitch_rad));
+  }
+  return worst_rad;
+}
+
+TEST(BodyAttitude, IsNotTiltedByAMatchThatTheWheelsContradict) {
+  EXPECT_LT(pitch_by_a_wrong_match(0.8, true), 1e-3);
+  EXPECT_GT(pitch_by_a_wrong_match(0.8, false), 0.01);  // 0.8 / 9.81 for 0.7 of three seconds
+}
+
+TEST(BodyAttitude, DoesNotBelieveAnAccelerationThatNoVehicleHas) {
+  BodyAttitudeParams credulous;
+  credulous.acceleration_max_m_s2 = 100.0;
+  EXPECT_GT(pitch_by_a_wrong_match(2.5, false, credulous), 0.025);
+  EXPECT_LT(pitch_by_a_wrong_match(2.5, false), 0.01);
+}
+
 TEST(BodyAttitude, AcceptsAllPointsWithoutAnAccelerometer) {
   BodyAttitude body_attitude{BodyAttitudeParams{}};
   for (int i = 1; i < 200; ++i)

@@ -87,6 +87,30 @@ TEST(Standstill, IsRefutedByScansWithBlockedWheels) {
   EXPECT_LT(robot.error().translation().norm(), 0.03);
 }
 
+TEST(Standstill, IsNotRefutedByLasersThatDisagree) {
+  Standstill standstill{StandstillParams{}};
+  MotionEstimate expected;
+  expected.stationary = true;
+  const auto pose_of = [&](LaserId laser, const Pose2& matched) {
+    ScanMatch match;
+    match.status = Status::kMatched;
+    match.T_odom_body = matched;
+    standstill.apply(laser, expected, match);
+    return match.T_odom_body;
+  };
+  const Pose2 rear{0.065, 0.025, 0.0};  // it took rising ground for a wall
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(pose_of(LaserId::kFront, {}), Pose2{});
+    EXPECT_EQ(pose_of(LaserId::kRear, rear), Pose2{});
+  }
+  // The front laser tilts for a 3D scan: only the other one is level.
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(pose_of(LaserId::kRear, rear), Pose2{});
+  // Then the body slides.
+  Pose2 slid;
+  for (int i = 0; i < 10; ++i) slid = pose_of(LaserId::kRear, rear * Pose2{0.06, 0.0, 0.0});
+  EXPECT_EQ(slid, rear * Pose2(0.06, 0.0, 0.0));
+}
+
 TEST(Standstill, EndsWhenTheWheelsMove) {
   TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) robot.step({}, {});

@@ -24,7 +24,7 @@ struct BodyAttitudeParams {
   double ground_m = 10.0;
   double ramp_m = 2.0;
   double rise_max_m = 0.4;  ///< maximum change of a beam's height above the ground
-  /// Of the body; beyond, a match is wrong and not believed. Brakes reach 0.8 m/s².
+  /// Of the body; beyond, a match is wrong and not used. Brakes reach 0.8 m/s².
   double acceleration_max_m_s2 = 1.0;
 
   template <class V>

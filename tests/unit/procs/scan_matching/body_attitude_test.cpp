@@ -188,7 +188,7 @@ TEST(BodyAttitude, IsNotTiltedByAMatchThatTheWheelsContradict) {
   EXPECT_GT(pitch_by_a_wrong_match(0.8, false), 0.01);  // 0.8 / 9.81 for 0.7 of three seconds
 }
 
-TEST(BodyAttitude, DoesNotBelieveAnAccelerationThatNoVehicleHas) {
+TEST(BodyAttitude, IgnoresAnAccelerationThatNoVehicleHas) {
   BodyAttitudeParams credulous;
   credulous.acceleration_max_m_s2 = 100.0;
   EXPECT_GT(pitch_by_a_wrong_match(2.5, false, credulous), 0.025);

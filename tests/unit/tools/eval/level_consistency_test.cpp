@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t kUtime = 1'000'000;
 
-/// 10 m along x, back, and along x again, on the second way `z_m` above the first: a pose per
+/// 10 m along x, back, and along x again, on the second pass `z_m` above the first: a pose per
 /// 0.25 m, a local map per 5 m.
 Trajectory twice_along(double z_m) {
   Trajectory path;
@@ -29,11 +29,11 @@ std::map<int, std::int64_t> local_maps() {
 }
 
 TEST(LevelConsistency, CountsLoopClosuresBetweenLevels) {
-  const std::set<std::array<int, 2>> closures{{0, 4}, {1, 5}};
+  const std::set<std::array<int, 2>> loop_closures{{0, 4}, {1, 5}};
   const Trajectory above = twice_along(5.0);
-  EXPECT_EQ(score_levels(closures, local_maps(), above, above).between_levels, 2U);
+  EXPECT_EQ(score_levels(loop_closures, local_maps(), above, above).between_levels, 2U);
   const Trajectory same = twice_along(0.0);
-  const LevelConsistency consistent = score_levels(closures, local_maps(), same, same);
+  const LevelConsistency consistent = score_levels(loop_closures, local_maps(), same, same);
   EXPECT_EQ(consistent.between_levels, 0U);
   EXPECT_EQ(consistent.loop_closures, 2U);
 }
@@ -41,7 +41,7 @@ TEST(LevelConsistency, CountsLoopClosuresBetweenLevels) {
 TEST(LevelConsistency, MeasuresThePathThatIsMergedWithAnother) {
   const Trajectory above = twice_along(5.0);
   EXPECT_EQ(score_levels({}, local_maps(), above, above).merged_m, 0.0);
-  // The map has all on one level: 10 m of the second way.
+  // The map has all on one level: 10 m of the second pass.
   EXPECT_NEAR(score_levels({}, local_maps(), twice_along(0.0), above).merged_m, 10.0, 0.6);
 }
 

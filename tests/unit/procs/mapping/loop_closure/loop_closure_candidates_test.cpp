@@ -71,11 +71,11 @@ TEST(LoopClosureCandidates, DependOnTheUncertaintyOfThePose) {
 /// A place seven standard deviations from the prediction.
 TEST(LoopClosureCandidates, AreFartherAwayWhenThorough) {
   const MappedPath mapped = out_and_back(28.0, 4.0);
-  const auto on_the_way_out = [](int older) { return older < 10; };
-  EXPECT_TRUE(std::ranges::none_of(mapped.older(), on_the_way_out));
+  const auto outbound = [](int older) { return older < 10; };
+  EXPECT_TRUE(std::ranges::none_of(mapped.older(), outbound));
   const auto found = thorough_candidates(mapped.poses, mapped.covariances, mapped.extents, {});
   ASSERT_FALSE(found.empty());
-  EXPECT_TRUE(std::ranges::any_of(found, on_the_way_out, &LoopClosureCandidate::older));
+  EXPECT_TRUE(std::ranges::any_of(found, outbound, &LoopClosureCandidate::older));
   EXPECT_NEAR(found.front().predicted.covariance(0, 0), 9.0 * 4.0 * 4.0, 1e-9);
 }
 

@@ -174,7 +174,15 @@ std::vector<LoopClosureCandidate> thorough_candidates(std::span<const Pose2> pos
   more.most *= kMore;
   std::vector<Eigen::Matrix3d> wide(covariances.begin(), covariances.end());
   for (Eigen::Matrix3d& covariance : wide) covariance *= kSds * kSds;
-  return loop_closure_candidates(poses, wide, extents, more);
+  std::vector<LoopClosureCandidate> found =
+      loop_closure_candidates(poses, covariances, extents, more);
+  for (const LoopClosureCandidate& candidate :
+       loop_closure_candidates(poses, wide, extents, more)) {
+    const bool is_found = std::ranges::any_of(
+        found, [&](const LoopClosureCandidate& other) { return other.older == candidate.older; });
+    if (!is_found) found.push_back(candidate);
+  }
+  return found;
 }
 
 }  // namespace adit

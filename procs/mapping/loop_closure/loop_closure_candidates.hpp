@@ -81,9 +81,10 @@ std::vector<LoopClosureCandidate> loop_closure_candidates(
     std::span<const Pose2> poses, std::span<const Eigen::Matrix3d> covariances,
     std::span<const MapExtent> extents, const LoopClosureCandidatesParams& params);
 
-/// More of them, and farther from the prediction, for when the likely ones were wrong: some
-/// displacement was then worse than it states, such as where a laser took rising ground for a wall.
-/// Its standard deviation is unknown; all are taken to be three times what they state.
+/// More of them, for when the likely ones were wrong, and then others farther from the prediction:
+/// some displacement was perhaps worse than it states, such as where a laser took rising ground for
+/// a wall. Its standard deviation is unknown; for these all are taken to be three times what they
+/// state.
 std::vector<LoopClosureCandidate> thorough_candidates(std::span<const Pose2> poses,
                                                       std::span<const Eigen::Matrix3d> covariances,
                                                       std::span<const MapExtent> extents,

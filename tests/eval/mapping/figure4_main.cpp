@@ -4,13 +4,14 @@
 // corridors before and after the revision at the corner, and prints a table row in Markdown
 // (docs/results/parallel_corridors.md).
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -92,45 +93,63 @@ std::vector<LoopClosure> revoked_loop_closures(const MapUpdate& update) {
   return revoked;
 }
 
-void print_row(double bias, const MapUpdate& update, double before_m, double after_m,
-               double seconds, const PathError& end) {
-  char row[200];
-  std::snprintf(row, sizeof(row), "| %.3f | %d | %d | %d | %.1f | %.2f | %.0f | %.2f | %.2f |\n",
-                bias, update.map.id, test::revoked(update), test::newly_accepted(update), before_m,
-                after_m, 1e3 * seconds, end.rmse_m, end.farthest_m);
-  std::cout << row;
+/// A step in which loop closures were revoked, with the graphs and the errors of the newest local
+/// map before and after it.
+struct Revision {
+  MapUpdate update;
+  MapGraph before;
+  MapGraph after;
+  double before_m = 0.0;
+  double after_m = 0.0;
+  double seconds = 0.0;
+
+  [[nodiscard]] double gain_m() const { return before_m - after_m; }
+};
+
+/// Drives to the end. Returns the revision that corrected the newest local map most.
+std::optional<Revision> drive_to_the_end(test::ParallelDrive& drive) {
+  std::optional<Revision> best;
+  Revision step;
+  while (true) {
+    const auto start = std::clock();
+    auto update = drive.next();
+    if (!update) return best;
+    step.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    step.after = drive.mapping().graph();
+    step.after_m = drive.newest_error_m();
+    const bool is_revision = test::revoked(*update) > 0;
+    step.update = std::move(*update);
+    if (is_revision && (!best || step.gain_m() > best->gain_m())) best = step;
+    step.before = std::move(step.after);
+    step.before_m = step.after_m;
+  }
+}
+
+void print_row(double bias, const Revision& revision, const PathError& end) {
+  std::cout << fmt::format(
+      "| {:.3f} | {} | {} | {} | {:.1f} | {:.2f} | {:.0f} | {:.2f} | {:.2f} |\n", bias,
+      revision.update.map.id, test::revoked(revision.update), test::newly_accepted(revision.update),
+      revision.before_m, revision.after_m, 1e3 * revision.seconds, end.rmse_m, end.farthest_m);
 }
 
 void make_figure(const std::filesystem::path& folder, double bias) {
   test::ParallelDrive drive(bias);
-  MapGraph before;
-  double before_m = 0.0;
-  auto start = std::clock();
-  auto update = drive.next();
-  for (; update && test::revoked(*update) == 0; start = std::clock(), update = drive.next()) {
-    before = drive.mapping().graph();
-    before_m = drive.newest_error_m();
-  }
-  if (!update) {
-    const PathError end = drive.error();
+  const std::optional<Revision> revision = drive_to_the_end(drive);
+  const PathError end = drive.error();
+  if (!revision) {
     throw std::runtime_error(
         fmt::format("no loop closure was revoked; at the end of the drive RMSE {:.2f} m, largest "
                     "error {:.2f} m",
                     end.rmse_m, end.farthest_m));
   }
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  const double after_m = drive.newest_error_m();
-
-  const std::vector<LoopClosure> revoked = revoked_loop_closures(*update);
+  const std::vector<LoopClosure> revoked = revoked_loop_closures(revision->update);
   const int first = revoked.front().newer_map;
   const auto& maps = drive.mapping().local_maps();
-  draw(maps, {extended(before, update->map), {}, first}, "Before revision: in the wrong corridor",
-       folder / "parallel_corridors_before.png");
-  draw(maps, {drive.mapping().graph(), revoked, first}, "After revision: in the right corridor",
+  draw(maps, {extended(revision->before, revision->update.map), {}, first},
+       "Before revision: in the wrong corridor", folder / "parallel_corridors_before.png");
+  draw(maps, {revision->after, revoked, first}, "After revision: in the right corridor",
        folder / "parallel_corridors_after.png");
-  while (drive.next()) {
-  }
-  print_row(bias, *update, before_m, after_m, seconds, drive.error());
+  print_row(bias, *revision, end);
 }
 
 }  // namespace

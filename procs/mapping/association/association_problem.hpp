@@ -30,7 +30,7 @@ struct AssociationProblem {
   [[nodiscard]] const std::vector<int>& members_of_group_of(int loop_closure) const {
     return members[as_index(groups[as_index(loop_closure)])];
   }
-  /// Puts the next loop closure into a group; the number of groups makes a new one.
+  /// Puts the next loop closure into a group, a new one from the number of groups on.
   void add_to_group(int group);
 
   /// The size of the problem at some time.
@@ -43,6 +43,11 @@ struct AssociationProblem {
   /// Removes the maps and loop closures added since the checkpoint. Returns these loop closures.
   std::vector<LoopClosure> roll_back(const Checkpoint& checkpoint);
 };
+
+/// The group of the latest of these loop closures, in order of their newer map, that is within
+/// `gap_m` of another one along the odometry at both ends; −1 if there is none.
+int group_near(const OdometryChain& odometry, const std::vector<LoopClosure>& loop_closures,
+               const std::vector<int>& groups, const LoopClosure& loop_closure, double gap_m);
 
 /// The constraint of an alternative of a loop closure.
 inline PoseConstraint constraint_of(const LoopClosure& loop_closure, int alternative) {

@@ -77,6 +77,11 @@ class LazyAssociation {
   /// other, by halves.
   std::vector<Association> decide(std::vector<LoopClosure> loop_closures, std::int64_t utime);
 
+  /// The same in any order of their newer maps, where the groups are known before: that of each
+  /// loop closure, by any number from 0.
+  std::vector<Association> decide(std::vector<LoopClosure> loop_closures,
+                                  const std::vector<int>& groups, std::int64_t utime);
+
   /// The current hypothesis, for further queries.
   [[nodiscard]] Trial& trial();
 
@@ -104,6 +109,11 @@ class LazyAssociation {
   /// of a recording.
   std::vector<Association> reconsider(std::int64_t utime);
 
+  /// Estimates how much smaller the errors of the loop closures are than their information claims,
+  /// from the median of what each adds to the objective, and lowers the gates accordingly. For files
+  /// whose information has an arbitrary scale; the gates are not raised.
+  void estimate_noise();
+
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
   [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
   /// Number of hypotheses evaluated in searches so far.
@@ -114,9 +124,9 @@ class LazyAssociation {
  private:
   struct Revision;
 
-  int append(LoopClosure loop_closure);
-  void add_to_problem(LoopClosure loop_closure);
-  [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
+  static constexpr int kGroupByOdometry = -1;
+  int append(LoopClosure loop_closure, int group = kGroupByOdometry);
+  void add_to_problem(LoopClosure loop_closure, int group = kGroupByOdometry);
 
   [[nodiscard]] int most_likely(Trial& trial, int loop_closure) const;
   bool choose_most_likely(Trial& trial, int loop_closure) const;
@@ -124,6 +134,7 @@ class LazyAssociation {
   std::size_t accept_together(const std::vector<int>& loop_closures);
   bool accept_if_consistent(const std::vector<std::array<int, 2>>& choices, bool from_scratch);
   [[nodiscard]] double gate(const Trial& trial, int loop_closure) const;
+  [[nodiscard]] double gate() const { return noise_ * params_.gate; }
   [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
 
   bool search_is_due(int loop_closure);
@@ -149,6 +160,7 @@ class LazyAssociation {
   std::optional<Trial> trial_;           ///< `hypothesis_` with its field; empty: not yet needed
   std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
+  double noise_ = 1.0;  ///< factor of the gates
   int trials_ = 0;
   int disagreements_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
+#include "procs/mapping/association/loop_order.hpp"
 
 namespace adit {
 namespace {
@@ -19,6 +21,7 @@ constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: wei
 // Loop closures decided together; more where they agree, fewer where they do not.
 constexpr std::size_t kBatchFirst = 16;
 constexpr std::size_t kBatchMax = 1024;
+constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
@@ -104,6 +107,48 @@ class CondensedChain {
   std::vector<int> node_;  // of each pose, or −1
 };
 
+/// The loops with their groups, in the order in which they are decided.
+class LoopSource {
+ public:
+  LoopSource(const PoseGraph& graph, const ConstraintSplit& parts, const CondensedChain& chain,
+             const AssociationProblem& problem, const LazyAssociationParams& params)
+      : in_time_order_(!params.best_first) {
+    std::vector<PoseConstraint> constraints;
+    int groups = 0;
+    for (const int k : parts.loops) {
+      LoopClosure loop_closure = chain.loop_closure(graph, k);
+      const int group =
+          group_near(problem.odometry, loop_closures_, groups_, loop_closure, params.group_gap_m);
+      groups_.push_back(group >= 0 ? group : groups++);
+      constraints.push_back(constraint_of(loop_closure, 0));
+      loop_closures_.push_back(std::move(loop_closure));
+    }
+    if (!in_time_order_) order_.emplace(problem.chain, std::move(constraints));
+  }
+
+  [[nodiscard]] std::size_t pending() const {
+    return in_time_order_ ? loop_closures_.size() - next_ : order_->pending();
+  }
+  [[nodiscard]] const LoopClosure& loop_closure(int i) const { return loop_closures_[as_index(i)]; }
+  [[nodiscard]] int group(int i) const { return groups_[as_index(i)]; }
+
+  std::vector<int> next(std::size_t most, const std::vector<int>& accepted) {
+    if (!in_time_order_) return order_->next(most, accepted);
+    std::vector<int> next;
+    while (next.size() < most && next_ < loop_closures_.size()) {
+      next.push_back(static_cast<int>(next_++));
+    }
+    return next;
+  }
+
+ private:
+  bool in_time_order_;
+  std::size_t next_ = 0;
+  std::vector<LoopClosure> loop_closures_;
+  std::vector<int> groups_;
+  std::optional<LoopOrder> order_;
+};
+
 /// The accepted constraints, at full weight.
 struct AcceptedConstraints {
   AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
@@ -161,24 +206,41 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   const CondensedChain condensed_chain(graph, parts);
   LazyAssociation association(params);
   condensed_chain.add_odometry(graph, parts, association);
+  std::vector<int> order;  // in which the loops of `parts` were decided
+  std::size_t noise_of = kBatchFirst;  // accepted loops at the last estimate of their noise
+  LoopSource loops(graph, parts, condensed_chain, association.problem(), params);
   std::size_t batch = params.best_first ? kBatchFirst : 1;
-  while (result.constraint_of_loop_closure.size() < parts.loops.size()) {
-    const std::size_t done = result.constraint_of_loop_closure.size();
-    const std::size_t end = std::min(done + batch, parts.loops.size());
+  std::vector<int> accepted;  // of the loops of `parts`
+  while (loops.pending() > 0) {
+    const std::vector<int> next = loops.next(batch, accepted);
     std::vector<LoopClosure> loop_closures;
-    for (std::size_t i = done; i < end; ++i) {
-      loop_closures.push_back(condensed_chain.loop_closure(graph, parts.loops[i]));
-      result.constraint_of_loop_closure.push_back(parts.loops[i]);
+    std::vector<int> groups;
+    for (const int i : next) {
+      loop_closures.push_back(loops.loop_closure(i));
+      groups.push_back(loops.group(i));
+      result.constraint_of_loop_closure.push_back(parts.loops[as_index(i)]);
+      order.push_back(i);
     }
     const int disagreements = association.disagreements();
-    const auto decided = association.decide(std::move(loop_closures), 0);
+    const auto decided = association.decide(std::move(loop_closures), groups, 0);
     result.history.insert(result.history.end(), decided.begin(), decided.end());
+    accepted.clear();
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      if (association.hypothesis().chosen[k] != Association::kNone) accepted.push_back(order[k]);
+    }
+    if (accepted.size() >= kNoiseGrowth * noise_of) {
+      noise_of = accepted.size();
+      association.estimate_noise();
+    }
     if (params.best_first) {
       const bool agreed = association.disagreements() == disagreements;
       batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
     }
-    if (progress) progress(static_cast<double>(end) / static_cast<double>(parts.loops.size()));
+    if (progress) {
+      progress(static_cast<double>(order.size()) / static_cast<double>(parts.loops.size()));
+    }
   }
+  association.estimate_noise();
   const auto reconsidered = association.reconsider(0);
   result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
   result.accepted.assign(graph.constraints.size(), true);

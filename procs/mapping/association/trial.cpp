@@ -85,20 +85,21 @@ double Trial::objective() const {
 }
 
 PoseConstraint Trial::chosen_constraint(int loop_closure) const {
-  return in_graph_from(
-      constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure)),
-      hypothesis_, first_);
+  return constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure));
 }
 
-std::vector<PoseConstraint> Trial::chosen_constraints(const std::vector<int>& loop_closures) const {
+std::vector<PoseConstraint> Trial::constraints_in_field(
+    const std::vector<int>& loop_closures) const {
   std::vector<PoseConstraint> constraints;
-  for (const int k : loop_closures) constraints.push_back(chosen_constraint(k));
+  for (const int k : loop_closures) {
+    constraints.push_back(in_graph_from(chosen_constraint(k), hypothesis_, first_));
+  }
   return constraints;
 }
 
 std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<int>& loop_closures,
                                                              const PoseConstraint& query) {
-  return field().leave_one_out(chosen_constraints(loop_closures),
+  return field().leave_one_out(constraints_in_field(loop_closures),
                                in_graph_from(query, hypothesis_, first_));
 }
 
@@ -106,7 +107,7 @@ std::vector<int> Trial::most_coupled(const std::vector<int>& loop_closures,
                                      const PoseConstraint& query, std::size_t most) {
   if (loop_closures.size() <= most) return loop_closures;
   const std::vector<double> couplings = field().couplings(
-      chosen_constraints(loop_closures), in_graph_from(query, hypothesis_, first_));
+      constraints_in_field(loop_closures), in_graph_from(query, hypothesis_, first_));
   std::vector<std::size_t> order(loop_closures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -33,6 +33,9 @@ class Trial {
     return hypothesis_.chosen[static_cast<std::size_t>(loop_closure)];
   }
 
+  /// The constraint between local maps of a chosen loop closure.
+  [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
+
   /// Adds an undecided loop closure, after it was added to the problem.
   void add_undecided() { hypothesis_.chosen.push_back(Association::kNone); }
 
@@ -71,8 +74,7 @@ class Trial {
 
  private:
   [[nodiscard]] GaussianField& field();
-  [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
-  [[nodiscard]] std::vector<PoseConstraint> chosen_constraints(
+  [[nodiscard]] std::vector<PoseConstraint> constraints_in_field(
       const std::vector<int>& loop_closures) const;
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;

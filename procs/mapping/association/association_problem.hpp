@@ -14,6 +14,9 @@ namespace adit {
 /// An id of a local map or a loop closure as an index of a container.
 inline std::size_t as_index(int id) { return static_cast<std::size_t>(id); }
 
+/// A fit that is more likely than this to occur by chance is no evidence.
+constexpr double kChanceMax = 0.05;
+
 /// The input of data association: the chain of local maps, which is certain, and the loop closures,
 /// which are to be decided.
 struct AssociationProblem {

@@ -16,10 +16,15 @@ constexpr double kSamePlaceRad = 0.2;
 constexpr int kGroupsRevokedMax = 4;      // by one revision
 constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
 constexpr std::size_t kTogetherMin = 8;   // loop closures accepted by one optimisation
+constexpr int kRoundsTogether = 3;           // of leaving out those that do not fit
+constexpr std::size_t kMisfitShareMax = 4;   // 1 / share that may be left out
 constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expected chi-square
 constexpr double kMedianChiSquare3 = 2.366;  // three degrees of freedom
 constexpr std::size_t kClaimsPresumed = 10;  // loop closures whose errors are as claimed
 constexpr double kNoiseMargin = 3.0;         // of the estimated noise: its distribution is not known
+constexpr double kWrongPresumed = 1.0;       // loop closures, before any is decided
+constexpr double kRightPresumed = 9.0;
+constexpr double kWrongOddsMax = 0.1;  // that one which fits is wrong
 constexpr double kNoiseMin = 0.02;
 constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
 
@@ -88,15 +93,25 @@ void LazyAssociation::accept_likely(std::vector<int> loop_closures) {
 /// than kTogetherMin are left to the caller: an update of the factor for each is cheaper.
 std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closures) {
   if (loop_closures.size() < kTogetherMin) return 0;
-  std::vector<std::array<int, 2>> choices;
+  Choices choices;
   for (const int k : loop_closures) {
     const int alternative = most_likely(trial(), k);
     if (alternative != Association::kNone) choices.push_back({k, alternative});
   }
-  if (choices.size() < kTogetherMin) return 0;
-  if (accept_if_consistent(choices, false) || accept_if_consistent(choices, true)) {
-    return choices.size();
+  bool agree = true;
+  for (int round = 0; round < kRoundsTogether; ++round) {
+    if (choices.size() < kTogetherMin) break;
+    Choices misfits = accept_if_consistent(choices, false);
+    if (!misfits.empty()) misfits = accept_if_consistent(choices, true);
+    if (misfits.empty()) {
+      disagreements_ += agree ? 0 : 1;
+      return choices.size();
+    }
+    agree = false;
+    if (kMisfitShareMax * misfits.size() > choices.size()) break;
+    std::erase_if(choices, [&](const auto& c) { return std::ranges::find(misfits, c) != misfits.end(); });
   }
+  if (agree) return 0;
   ++disagreements_;
   std::vector<int> likely;
   for (const auto& [k, alternative] : choices) likely.push_back(k);
@@ -106,23 +121,25 @@ std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closur
 }
 
 /// Accepts them unless one does not fit then, or the objective rises by more than their
-/// measurement errors explain.
-bool LazyAssociation::accept_if_consistent(const std::vector<std::array<int, 2>>& choices,
-                                           bool from_scratch) {
+/// measurement errors explain. Returns those that do not fit, all if it is not known which.
+LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& choices,
+                                                               bool from_scratch) {
   Trial together(problem_, trial().hypothesis());
   const double before = together.objective();
   together.accept(choices, from_scratch);
-  const double explained =
-      gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
-  if (!(together.objective() - before <= explained)) return false;
   std::vector<int> accepted;
   for (const auto& [k, alternative] : choices) accepted.push_back(k);
   const auto without = together.leave_one_out(accepted, together.chosen_constraint(accepted.front()));
-  const bool misfit = std::ranges::any_of(
-      without, [&](const auto& one) { return one.objective_decrease > gate(); });
-  if (misfit) return false;
-  trial_.emplace(problem_, together.hypothesis());
-  return true;
+  Choices misfits;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (without[i].objective_decrease > gate()) misfits.push_back(choices[i]);
+  }
+  const double explained =
+      gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
+  const bool is_explained = together.objective() - before <= explained;
+  if (misfits.empty() && !is_explained) return choices;
+  if (misfits.empty()) trial_.emplace(problem_, together.hypothesis());
+  return misfits;
 }
 
 Trial& LazyAssociation::trial() {
@@ -284,7 +301,7 @@ double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
   const std::vector<int>& group = problem_.members_of_group_of(loop_closure);
   const bool supported =
       std::ranges::any_of(group, [&](int k) { return trial.chosen(k) != Association::kNone; });
-  return noise_ * (supported ? params_.gate_supported : params_.gate);
+  return noise_.value_or(1.0) * (supported ? params_.gate_supported : params_.gate);
 }
 
 /// −2 log-likelihood up to a constant: the objective (section 2.3) and the costs of the decisions.
@@ -435,6 +452,32 @@ void LazyAssociation::revoke_misfits(Trial& trial) const {
   }
 }
 
+std::vector<Association> LazyAssociation::postpone(std::vector<LoopClosure> loop_closures,
+                                                   const std::vector<int>& groups,
+                                                   std::int64_t utime) {
+  static_cast<void>(trial());  // whose hypothesis is recorded
+  const std::vector<int> before = hypothesis_.chosen;
+  for (std::size_t i = 0; i < loop_closures.size(); ++i) {
+    append(std::move(loop_closures[i]), groups[i]);
+  }
+  std::vector<Association> record;
+  record_changes(record, utime, before, before.size());
+  return record;
+}
+
+double LazyAssociation::chance(const LoopClosure& loop_closure) {
+  return chance_of_fit(trial().residual_covariance(constraint_of(loop_closure, 0)), gate(),
+                       problem_.odometry.area_m2());
+}
+
+bool LazyAssociation::is_evidence(double chance) const {
+  const auto rejected = static_cast<double>(
+      std::ranges::count(hypothesis_.chosen, Association::kNone));
+  const double accepted = static_cast<double>(hypothesis_.chosen.size()) - rejected;
+  const double odds = (rejected + kWrongPresumed) / (accepted + kRightPresumed);
+  return chance * odds < kWrongOddsMax;
+}
+
 void LazyAssociation::estimate_noise() {
   const std::vector<int> chosen = trial().chosen_loop_closures();
   if (chosen.empty()) return;
@@ -447,6 +490,12 @@ void LazyAssociation::estimate_noise() {
   noise_ = std::clamp(kNoiseMargin * *middle / kMedianChiSquare3, kNoiseMin, 1.0);
 }
 
+/// Where wrong loop closures fit by chance, a rejected one is not accepted for fitting now.
+bool LazyAssociation::may_reconsider(int loop_closure) {
+  if (!noise_) return true;
+  return is_evidence(chance(problem_.loop_closures[as_index(loop_closure)]));
+}
+
 std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
   std::vector<Association> record;
   Trial& present = trial();
@@ -455,7 +504,9 @@ std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
     const std::vector<int> last = present.decisions();
     revoke_misfits(present);
     for (int k = 0; k < static_cast<int>(before.size()); ++k) {
-      if (present.chosen(k) == Association::kNone) choose_most_likely(present, k);
+      if (present.chosen(k) == Association::kNone && may_reconsider(k)) {
+        choose_most_likely(present, k);
+      }
     }
     present.reoptimize();
     if (present.decisions() == last) break;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -112,14 +113,15 @@ class LoopSource {
  public:
   LoopSource(const PoseGraph& graph, const ConstraintSplit& parts, const CondensedChain& chain,
              const AssociationProblem& problem, const LazyAssociationParams& params)
-      : in_time_order_(!params.best_first) {
+      : problem_(problem), gate_(params.gate), in_time_order_(!params.best_first) {
     std::vector<PoseConstraint> constraints;
-    int groups = 0;
     for (const int k : parts.loops) {
       LoopClosure loop_closure = chain.loop_closure(graph, k);
       const int group =
           group_near(problem.odometry, loop_closures_, groups_, loop_closure, params.group_gap_m);
-      groups_.push_back(group >= 0 ? group : groups++);
+      groups_.push_back(group >= 0 ? group : static_cast<int>(members_.size()));
+      if (group < 0) members_.emplace_back();
+      members_[as_index(groups_.back())].push_back(static_cast<int>(loop_closures_.size()));
       constraints.push_back(constraint_of(loop_closure, 0));
       loop_closures_.push_back(std::move(loop_closure));
     }
@@ -132,8 +134,36 @@ class LoopSource {
   [[nodiscard]] const LoopClosure& loop_closure(int i) const { return loop_closures_[as_index(i)]; }
   [[nodiscard]] int group(int i) const { return groups_[as_index(i)]; }
 
-  std::vector<int> next(std::size_t most, const std::vector<int>& accepted) {
-    if (!in_time_order_) return order_->next(most, accepted);
+  /// The loops to decide next, at most `most`; none if all others are postponed.
+  std::vector<int> next(std::size_t most, const std::vector<int>& accepted,
+                        LazyAssociation& association) {
+    if (in_time_order_) return next_in_time(most);
+    const std::vector<int> candidates = order_->most_certain(most, accepted);
+    std::vector<int> next;
+    std::vector<int> uncertain;
+    for (const int i : candidates) {
+      const double chance = association.chance(loop_closure(i));
+      if (chance < kChanceMax) next.push_back(i);
+      if (chance >= kChanceMax && association.is_evidence(chance)) uncertain.push_back(i);
+    }
+    if (next.empty()) next = best_supported(candidates);
+    if (next.empty()) next = uncertain;
+    if (next.size() > most) next.resize(most);
+    order_->take(next);
+    return next;
+  }
+
+  /// The loops that are not decided.
+  [[nodiscard]] std::vector<int> postponed() const {
+    std::vector<int> loops;
+    for (int i = 0; i < static_cast<int>(loop_closures_.size()) && !in_time_order_; ++i) {
+      if (order_->is_pending(i)) loops.push_back(i);
+    }
+    return loops;
+  }
+
+ private:
+  std::vector<int> next_in_time(std::size_t most) {
     std::vector<int> next;
     while (next.size() < most && next_ < loop_closures_.size()) {
       next.push_back(static_cast<int>(next_++));
@@ -141,11 +171,42 @@ class LoopSource {
     return next;
   }
 
- private:
+  /// Where the map cannot tell a wrong loop: of the groups of these loops, the pending loops of the
+  /// one that agrees most within itself.
+  [[nodiscard]] std::vector<int> best_supported(const std::vector<int>& candidates) const {
+    std::vector<int> best;
+    std::set<int> groups;
+    for (const int i : candidates) {
+      if (!groups.insert(group(i)).second) continue;
+      std::vector<int> members = agreeing_members(group(i));
+      if (members.size() > std::max<std::size_t>(best.size(), 1)) best = std::move(members);
+    }
+    return best;
+  }
+
+  /// The pending loops of a group that agree with more than half of it.
+  [[nodiscard]] std::vector<int> agreeing_members(int group) const {
+    const std::vector<int>& members = members_[as_index(group)];
+    std::vector<int> agreeing;
+    for (const int i : members) {
+      if (!order_->is_pending(i)) continue;
+      const auto support = std::ranges::count_if(members, [&](int j) {
+        return j != i && cycle_residual(problem_.odometry, constraint_of(loop_closure(i), 0),
+                                        constraint_of(loop_closure(j), 0))
+                                 .disagreement < gate_;
+      });
+      if (2 * support >= std::ssize(members)) agreeing.push_back(i);
+    }
+    return agreeing;
+  }
+
+  const AssociationProblem& problem_;
+  double gate_;
   bool in_time_order_;
   std::size_t next_ = 0;
   std::vector<LoopClosure> loop_closures_;
   std::vector<int> groups_;
+  std::vector<std::vector<int>> members_;  // of each group
   std::optional<LoopOrder> order_;
 };
 
@@ -211,8 +272,7 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   LoopSource loops(graph, parts, condensed_chain, association.problem(), params);
   std::size_t batch = params.best_first ? kBatchFirst : 1;
   std::vector<int> accepted;  // of the loops of `parts`
-  while (loops.pending() > 0) {
-    const std::vector<int> next = loops.next(batch, accepted);
+  const auto take = [&](const std::vector<int>& next) {
     std::vector<LoopClosure> loop_closures;
     std::vector<int> groups;
     for (const int i : next) {
@@ -221,26 +281,38 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
       result.constraint_of_loop_closure.push_back(parts.loops[as_index(i)]);
       order.push_back(i);
     }
-    const int disagreements = association.disagreements();
-    const auto decided = association.decide(std::move(loop_closures), groups, 0);
+    return std::pair{std::move(loop_closures), std::move(groups)};
+  };
+  const auto record = [&](const std::vector<Association>& decided) {
     result.history.insert(result.history.end(), decided.begin(), decided.end());
+    if (progress) {
+      progress(static_cast<double>(order.size()) / static_cast<double>(parts.loops.size()));
+    }
+  };
+  while (loops.pending() > 0) {
+    const std::vector<int> next = loops.next(batch, accepted, association);
+    if (next.empty()) break;
+    const int disagreements = association.disagreements();
+    auto [loop_closures, groups] = take(next);
+    record(association.decide(std::move(loop_closures), groups, 0));
     accepted.clear();
     for (std::size_t k = 0; k < order.size(); ++k) {
       if (association.hypothesis().chosen[k] != Association::kNone) accepted.push_back(order[k]);
     }
+    if (!params.best_first) continue;
     if (accepted.size() >= kNoiseGrowth * noise_of) {
       noise_of = accepted.size();
       association.estimate_noise();
     }
-    if (params.best_first) {
-      const bool agreed = association.disagreements() == disagreements;
-      batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
-    }
-    if (progress) {
-      progress(static_cast<double>(order.size()) / static_cast<double>(parts.loops.size()));
-    }
+    const bool agreed = association.disagreements() == disagreements;
+    batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
   }
-  association.estimate_noise();
+  const std::vector<int> postponed = loops.postponed();
+  if (!postponed.empty()) {
+    auto [loop_closures, groups] = take(postponed);
+    record(association.postpone(std::move(loop_closures), groups, 0));
+  }
+  if (params.best_first) association.estimate_noise();
   const auto reconsidered = association.reconsider(0);
   result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
   result.accepted.assign(graph.constraints.size(), true);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -15,6 +14,7 @@ namespace adit {
 namespace {
 
 constexpr int kIntervals = 300;
+constexpr double kSpread = 2.0;  // of uncertainty among loops decided together
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d variances(const PoseConstraint& constraint) {
@@ -30,8 +30,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops)
-    : loops_(std::move(loops)), pending_(loops_.size()) {
-  std::iota(pending_.begin(), pending_.end(), 0);
+    : loops_(std::move(loops)), is_pending_(loops_.size(), true), pending_(loops_.size()) {
   for (int axis = 0; axis < 3 && !chain.empty(); ++axis) {
     std::vector<double> values;
     for (const PoseConstraint& step : chain) values.push_back(variances(step)[axis]);
@@ -39,13 +38,14 @@ LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseC
   }
   double total = 0.0;
   for (const PoseConstraint& step : chain) total += variance_of(step);
+  interval_variance_ = total / kIntervals;
   double begin = 0.0;  // variance from the first node to the begin of the interval
   double here = 0.0;
   interval_.push_back(0);
   chain_.emplace_back();
   for (const PoseConstraint& step : chain) {
     here += variance_of(step);
-    if (here - begin > total / kIntervals) {
+    if (here - begin > interval_variance_) {
       const auto next = static_cast<int>(chain_.size());
       chain_.emplace_back();
       link(chain_, next - 1, next, here - begin);
@@ -88,7 +88,8 @@ std::vector<double> LoopOrder::distances_from(const Links& links, int interval) 
   return distances;
 }
 
-std::vector<int> LoopOrder::next(std::size_t most, const std::vector<int>& accepted) {
+std::vector<int> LoopOrder::most_certain(std::size_t most,
+                                         const std::vector<int>& accepted) const {
   Links links = chain_;
   for (const int loop : accepted) {
     const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
@@ -96,7 +97,8 @@ std::vector<int> LoopOrder::next(std::size_t most, const std::vector<int>& accep
   }
   std::map<int, std::vector<double>> from;  // distances from the intervals of pending loops
   std::vector<std::pair<double, int>> order;
-  for (const int loop : pending_) {
+  for (int loop = 0; loop < static_cast<int>(loops_.size()); ++loop) {
+    if (!is_pending(loop)) continue;
     const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
     const auto [at, is_new] = from.try_emplace(interval_of(c.from));
     if (is_new) at->second = distances_from(links, interval_of(c.from));
@@ -105,11 +107,18 @@ std::vector<int> LoopOrder::next(std::size_t most, const std::vector<int>& accep
   std::sort(order.begin(), order.end());
   if (order.size() > most) order.resize(most);
   std::vector<int> chosen;
-  for (const auto& [distance, loop] : order) chosen.push_back(loop);
-  std::vector<bool> taken(loops_.size(), false);
-  for (const int loop : chosen) taken[static_cast<std::size_t>(loop)] = true;
-  std::erase_if(pending_, [&](int loop) { return taken[static_cast<std::size_t>(loop)]; });
+  for (const auto& [distance, loop] : order) {
+    if (distance > kSpread * std::max(order.front().first, interval_variance_)) break;
+    chosen.push_back(loop);
+  }
   return chosen;
+}
+
+void LoopOrder::take(const std::vector<int>& loops) {
+  for (const int loop : loops) {
+    pending_ -= is_pending(loop) ? 1 : 0;
+    is_pending_[static_cast<std::size_t>(loop)] = false;
+  }
 }
 
 }  // namespace adit

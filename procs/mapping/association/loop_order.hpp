@@ -20,10 +20,16 @@ class LoopOrder {
   /// `chain`: the odometry, from each node to the next. `loops`: all loops, between these nodes.
   LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops);
 
-  [[nodiscard]] std::size_t pending() const { return pending_.size(); }
+  [[nodiscard]] std::size_t pending() const { return pending_; }
   /// The pending loops that are most certain where these loops are accepted, at most `most`:
-  /// indices, most certain first. They are no longer pending.
-  std::vector<int> next(std::size_t most, const std::vector<int>& accepted);
+  /// indices, most certain first. The last is at most twice as uncertain as the first.
+  [[nodiscard]] std::vector<int> most_certain(std::size_t most,
+                                              const std::vector<int>& accepted) const;
+  /// Takes loops from the pending ones.
+  void take(const std::vector<int>& loops);
+  [[nodiscard]] bool is_pending(int loop) const {
+    return is_pending_[static_cast<std::size_t>(loop)];
+  }
 
  private:
   [[nodiscard]] double variance_of(const PoseConstraint& constraint) const;
@@ -36,9 +42,11 @@ class LoopOrder {
   [[nodiscard]] static std::vector<double> distances_from(const Links& links, int interval);
 
   std::vector<PoseConstraint> loops_;
-  std::vector<int> pending_;
+  std::vector<bool> is_pending_;
+  std::size_t pending_ = 0;
   Eigen::Vector3d unit_ = Eigen::Vector3d::Ones();  // variances of a typical step of the odometry
   std::vector<int> interval_;                       // of each node
+  double interval_variance_ = 0.0;
   Links chain_;
 };
 

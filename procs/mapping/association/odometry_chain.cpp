@@ -23,8 +23,7 @@ Eigen::Matrix3d moved(const Eigen::Matrix3d& covariance, const Pose2& T) {
 
 CycleResidual residual_of(const UncertainPose& cycle) {
   const Eigen::Vector3d e = cycle.T_from_to.vector();
-  return {e.dot(solve_symmetric(cycle.covariance, e)),
-          std::sqrt(std::max(0.0, cycle.covariance.determinant()))};
+  return {e.dot(solve_symmetric(cycle.covariance, e)), cycle.covariance};
 }
 
 }  // namespace
@@ -67,8 +66,8 @@ double OdometryChain::area_m2() const {
   return box.isEmpty() ? 0.0 : box.volume();
 }
 
-double CycleResidual::chance(double gate, double area_m2) const {
-  // The ellipsoid within the gate, of all positions and headings.
+double chance_of_fit(const Eigen::Matrix3d& covariance, double gate, double area_m2) {
+  const double volume = std::sqrt(std::max(0.0, covariance.determinant()));
   const double ellipsoid = 4.0 / 3.0 * std::numbers::pi * std::pow(gate, 1.5) * volume;
   return std::min(1.0, ellipsoid / (2.0 * std::numbers::pi * area_m2));
 }

@@ -55,17 +55,16 @@ class OdometryChain {
   std::vector<Node> nodes_;
 };
 
+/// The probability that a residual with this covariance has a squared norm, normalised by it, below
+/// `gate` by chance, if it is equally likely all over a map of this area [m²]; at most 1.
+double chance_of_fit(const Eigen::Matrix3d& covariance, double gate, double area_m2);
+
 /// The residual of a cycle of measurements.
 struct CycleResidual {
   /// Squared and normalised: chi-square with three degrees of freedom if all measurements are
   /// correct.
   double disagreement = 0.0;
-  /// Square root of the determinant of the covariance [m²·rad].
-  double volume = 0.0;
-
-  /// The probability that the disagreement is less than `gate` by chance, if the residual is equally
-  /// likely all over a map of this area [m²]; at most 1.
-  [[nodiscard]] double chance(double gate, double area_m2) const;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, θ)
 };
 
 /// The cycle along the odometry and two loop closures.

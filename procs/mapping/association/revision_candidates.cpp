@@ -14,7 +14,6 @@ constexpr std::size_t kSinglesMax = 3;   // single loop closures tried
 constexpr std::size_t kCoupledMax = 40;  // loop closures of which the influence is computed
 constexpr std::size_t kGroupsMax = 3;    // contradicted groups that a search may revoke
 
-constexpr double kChanceMax = 0.05;      // of an agreement that counts as support
 
 /// An interval of the chain, by its first and last map.
 struct ChainInterval {
@@ -95,7 +94,8 @@ class RevisionSearch {
   /// Whether two agree, and would hardly do so by chance.
   [[nodiscard]] bool support(const PoseConstraint& a, const PoseConstraint& b) const {
     const CycleResidual cycle = cycle_residual(problem_.odometry, a, b);
-    return cycle.disagreement < gate_ && cycle.chance(gate_, area_m2_) < kChanceMax;
+    return cycle.disagreement < gate_ &&
+           chance_of_fit(cycle.covariance, gate_, area_m2_) < kChanceMax;
   }
 
   void find_affected() {

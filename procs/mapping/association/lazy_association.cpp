@@ -22,6 +22,8 @@ constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expec
 constexpr double kMedianChiSquare3 = 2.366;  // three degrees of freedom
 constexpr std::size_t kClaimsPresumed = 10;  // loop closures whose errors are as claimed
 constexpr double kNoiseMargin = 3.0;         // of the estimated noise: its distribution is not known
+constexpr double kTrialsInVain = 30.0;      // of a search, in a file
+constexpr double kTrialsPerLoopClosure = 0.02;
 constexpr double kWrongPresumed = 1.0;       // loop closures, before any is decided
 constexpr double kRightPresumed = 9.0;
 constexpr double kWrongOddsMax = 0.1;  // that one which fits is wrong
@@ -368,7 +370,7 @@ void LazyAssociation::record_changes(std::vector<Association>& record, std::int6
 /// on: one more contradiction of the same kind rarely changes the result. Never for a loop closure
 /// that the odometry excludes.
 bool LazyAssociation::search_is_due(int loop_closure) {
-  if (!problem_.plausible[as_index(loop_closure)]) return false;
+  if (!problem_.plausible[as_index(loop_closure)] || is_search_exhausted()) return false;
   int contradictions = 0;
   for (const int k : problem_.members_of_group_of(loop_closure)) {
     if (k > loop_closure || !problem_.plausible[as_index(k)]) continue;
@@ -378,6 +380,14 @@ bool LazyAssociation::search_is_due(int loop_closure) {
   if (contradictions < due) return false;
   due = 2 * contradictions;
   return true;
+}
+
+/// Where the noise is estimated, in a file: whether hypotheses were evaluated in vain so often that
+/// contradictions are those of wrong loop closures. They are rejected then.
+bool LazyAssociation::is_search_exhausted() const {
+  if (!noise_) return false;
+  const auto decided = static_cast<double>(hypothesis_.chosen.size());
+  return trials_in_vain_ > kTrialsInVain + kTrialsPerLoopClosure * decided;
 }
 
 /// Searches the tree of decisions for a hypothesis in which the loop closure is chosen and that
@@ -393,7 +403,10 @@ std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   for (const RevisionCandidate& candidate : order) {
     if (budget-- == 0 || candidate.bound >= least) break;
     auto hypothesis = hypothesis_accepting(loop_closure, candidate);
-    if (!hypothesis || hypothesis->cost >= least) continue;
+    if (!hypothesis || hypothesis->cost >= least) {
+      ++trials_in_vain_;
+      continue;
+    }
     least = hypothesis->cost;
     best = std::move(hypothesis);
     if (!params_.best_first) break;

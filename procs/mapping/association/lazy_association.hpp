@@ -151,6 +151,7 @@ class LazyAssociation {
   [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
 
   bool search_is_due(int loop_closure);
+  [[nodiscard]] bool is_search_exhausted() const;
   std::optional<Hypothesis> search(int loop_closure);
   std::optional<Hypothesis> hypothesis_accepting(int loop_closure,
                                                  const RevisionCandidate& candidate);
@@ -176,6 +177,7 @@ class LazyAssociation {
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
   std::optional<double> noise_;  ///< factor of the gates, where the noise is estimated
   int trials_ = 0;
+  int trials_in_vain_ = 0;
   int disagreements_ = 0;
 };
 

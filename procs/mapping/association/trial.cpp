@@ -15,6 +15,7 @@ namespace adit {
 namespace {
 
 constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
+constexpr int kLinearisations = 4;  // of the field before the graph is optimised
 constexpr int kFewSteps = 15;      // to an optimum near the poses
 constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
 
@@ -146,8 +147,18 @@ void Trial::accept(int loop_closure, int alternative) {
   field().add(
       in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
   hypothesis_.chosen[k] = alternative;
-  const double turn = largest_turn(field().mode());
-  if (turn > kTurnMax) reoptimize(turn > kTurnFar);
+  relinearise();
+}
+
+/// Linearises at the mode until it hardly moves, which takes a factorisation for each step.
+void Trial::relinearise() {
+  double turn = largest_turn(field().mode());
+  for (int step = 0; turn > kTurnMax; ++step) {
+    if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
+    hypothesis_ = hypothesis();
+    field_.reset();
+    turn = largest_turn(field().mode());
+  }
 }
 
 void Trial::accept(const std::vector<std::array<int, 2>>& choices, bool from_scratch) {

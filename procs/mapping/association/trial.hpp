@@ -82,6 +82,7 @@ class Trial {
       const std::vector<int>& loop_closures) const;
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;
+  void relinearise();
 
   const AssociationProblem& problem_;
   Hypothesis hypothesis_;  ///< poses and objective after the last optimisation

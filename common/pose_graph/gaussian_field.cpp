@@ -182,8 +182,7 @@ double GaussianField::objective_increase(const PoseConstraint& c) const {
 }
 
 Eigen::Matrix3d GaussianField::residual_covariance(const PoseConstraint& c) const {
-  const Eigen::Matrix3d information =
-      c.information + kInformationMin * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d information = c.information + kInformationMin * Eigen::Matrix3d::Identity();
   return covariance_of(view_of(c), c) + information.inverse();
 }
 

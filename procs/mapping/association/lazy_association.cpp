@@ -13,22 +13,22 @@ namespace {
 
 constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsRevokedMax = 4;      // by one revision
-constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
-constexpr std::size_t kTogetherMin = 8;   // loop closures accepted by one optimisation
+constexpr int kGroupsRevokedMax = 4;         // by one revision
+constexpr int kReconsiderRoundsMax = 10;     // of revoking and choosing; usually fewer until stable
+constexpr std::size_t kTogetherMin = 8;      // loop closures accepted by one optimisation
 constexpr int kRoundsTogether = 3;           // of leaving out those that do not fit
 constexpr std::size_t kMisfitShareMax = 4;   // 1 / share that may be left out
-constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expected chi-square
+constexpr double kExplainedShare = 0.3;      // of a gate, by each: twice the expected chi-square
 constexpr double kMedianChiSquare3 = 2.366;  // three degrees of freedom
 constexpr std::size_t kClaimsPresumed = 10;  // loop closures whose errors are as claimed
-constexpr double kNoiseMargin = 3.0;         // of the estimated noise: its distribution is not known
-constexpr double kTrialsInVain = 30.0;      // of a search, in a file
+constexpr double kNoiseMargin = 3.0;    // of the estimated noise: its distribution is not known
+constexpr double kTrialsInVain = 30.0;  // of a search, in a file
 constexpr double kTrialsPerLoopClosure = 0.02;
-constexpr double kWrongPresumed = 1.0;       // loop closures, before any is decided
+constexpr double kWrongPresumed = 1.0;  // loop closures, before any is decided
 constexpr double kRightPresumed = 9.0;
 constexpr double kWrongOddsMax = 0.1;  // that one which fits is wrong
 constexpr double kNoiseMin = 0.02;
-constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
+constexpr double kPlausibleGates = 1.5;  // the odometry is composed to first order only
 
 std::string reason_of(const Association& a) {
   const bool now = a.chosen != Association::kNone;
@@ -111,7 +111,8 @@ std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closur
     }
     agree = false;
     if (kMisfitShareMax * misfits.size() > choices.size()) break;
-    std::erase_if(choices, [&](const auto& c) { return std::ranges::find(misfits, c) != misfits.end(); });
+    std::erase_if(choices,
+                  [&](const auto& c) { return std::ranges::find(misfits, c) != misfits.end(); });
   }
   if (agree) return 0;
   ++disagreements_;
@@ -131,13 +132,13 @@ LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& ch
   together.accept(choices, from_scratch);
   std::vector<int> accepted;
   for (const auto& [k, alternative] : choices) accepted.push_back(k);
-  const auto without = together.leave_one_out(accepted, together.chosen_constraint(accepted.front()));
+  const auto without =
+      together.leave_one_out(accepted, together.chosen_constraint(accepted.front()));
   Choices misfits;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (without[i].objective_decrease > gate()) misfits.push_back(choices[i]);
   }
-  const double explained =
-      gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
+  const double explained = gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
   const bool is_explained = together.objective() - before <= explained;
   if (misfits.empty() && !is_explained) return choices;
   if (misfits.empty()) trial_.emplace(problem_, together.hypothesis());
@@ -454,8 +455,7 @@ void LazyAssociation::revoke_misfits(Trial& trial) const {
   while (true) {
     const std::vector<int> chosen = trial.chosen_loop_closures();
     if (chosen.empty()) return;
-    const auto without =
-        trial.leave_one_out(chosen, trial.chosen_constraint(chosen.front()));
+    const auto without = trial.leave_one_out(chosen, trial.chosen_constraint(chosen.front()));
     const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
       return a.objective_decrease < b.objective_decrease;
     });
@@ -484,8 +484,8 @@ double LazyAssociation::chance(const LoopClosure& loop_closure) {
 }
 
 bool LazyAssociation::is_evidence(double chance) const {
-  const auto rejected = static_cast<double>(
-      std::ranges::count(hypothesis_.chosen, Association::kNone));
+  const auto rejected =
+      static_cast<double>(std::ranges::count(hypothesis_.chosen, Association::kNone));
   const double accepted = static_cast<double>(hypothesis_.chosen.size()) - rejected;
   const double odds = (rejected + kWrongPresumed) / (accepted + kRightPresumed);
   return chance * odds < kWrongOddsMax;
@@ -495,7 +495,8 @@ void LazyAssociation::estimate_noise() {
   const std::vector<int> chosen = trial().chosen_loop_closures();
   if (chosen.empty()) return;
   std::vector<double> errors(kClaimsPresumed, kMedianChiSquare3);
-  for (const auto& without : trial().leave_one_out(chosen, trial().chosen_constraint(chosen.front()))) {
+  for (const auto& without :
+       trial().leave_one_out(chosen, trial().chosen_constraint(chosen.front()))) {
     errors.push_back(without.objective_decrease);
   }
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);

@@ -122,8 +122,8 @@ class LazyAssociation {
   [[nodiscard]] bool is_evidence(double chance) const;
 
   /// Estimates how much smaller the errors of the loop closures are than their information claims,
-  /// from the median of what each adds to the objective, and lowers the gates accordingly. For files
-  /// whose information has an arbitrary scale; the gates are not raised.
+  /// from the median of what each adds to the objective, and lowers the gates accordingly. For
+  /// files whose information has an arbitrary scale; the gates are not raised.
   void estimate_noise();
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
@@ -175,7 +175,7 @@ class LazyAssociation {
   std::optional<Trial> trial_;           ///< `hypothesis_` with its field; empty: not yet needed
   std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
-  std::optional<double> noise_;  ///< factor of the gates, where the noise is estimated
+  std::optional<double> noise_;          ///< factor of the gates, where the noise is estimated
   int trials_ = 0;
   int trials_in_vain_ = 0;
   int disagreements_ = 0;

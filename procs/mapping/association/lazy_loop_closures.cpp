@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/loop_order.hpp"
+#include "procs/mapping/association/loop_queue.hpp"
 
 namespace adit {
 namespace {
@@ -108,108 +107,6 @@ class CondensedChain {
   std::vector<int> node_;  // of each pose, or −1
 };
 
-/// The loops with their groups, in the order in which they are decided.
-class LoopSource {
- public:
-  LoopSource(const PoseGraph& graph, const ConstraintSplit& parts, const CondensedChain& chain,
-             const AssociationProblem& problem, const LazyAssociationParams& params)
-      : problem_(problem), gate_(params.gate), in_time_order_(!params.best_first) {
-    std::vector<PoseConstraint> constraints;
-    for (const int k : parts.loops) {
-      LoopClosure loop_closure = chain.loop_closure(graph, k);
-      const int group =
-          group_near(problem.odometry, loop_closures_, groups_, loop_closure, params.group_gap_m);
-      groups_.push_back(group >= 0 ? group : static_cast<int>(members_.size()));
-      if (group < 0) members_.emplace_back();
-      members_[as_index(groups_.back())].push_back(static_cast<int>(loop_closures_.size()));
-      constraints.push_back(constraint_of(loop_closure, 0));
-      loop_closures_.push_back(std::move(loop_closure));
-    }
-    if (!in_time_order_) order_.emplace(problem.chain, std::move(constraints));
-  }
-
-  [[nodiscard]] std::size_t pending() const {
-    return in_time_order_ ? loop_closures_.size() - next_ : order_->pending();
-  }
-  [[nodiscard]] const LoopClosure& loop_closure(int i) const { return loop_closures_[as_index(i)]; }
-  [[nodiscard]] int group(int i) const { return groups_[as_index(i)]; }
-
-  /// The loops to decide next, at most `most`; none if all others are postponed.
-  std::vector<int> next(std::size_t most, const std::vector<int>& accepted,
-                        LazyAssociation& association) {
-    if (in_time_order_) return next_in_time(most);
-    const std::vector<int> candidates = order_->most_certain(most, accepted);
-    std::vector<int> next;
-    std::vector<int> uncertain;
-    for (const int i : candidates) {
-      const double chance = association.chance(loop_closure(i));
-      if (chance < kChanceMax) next.push_back(i);
-      if (chance >= kChanceMax && association.is_evidence(chance)) uncertain.push_back(i);
-    }
-    if (next.empty()) next = best_supported(candidates);
-    if (next.empty()) next = uncertain;
-    if (next.size() > most) next.resize(most);
-    order_->take(next);
-    return next;
-  }
-
-  /// The loops that are not decided.
-  [[nodiscard]] std::vector<int> postponed() const {
-    std::vector<int> loops;
-    for (int i = 0; i < static_cast<int>(loop_closures_.size()) && !in_time_order_; ++i) {
-      if (order_->is_pending(i)) loops.push_back(i);
-    }
-    return loops;
-  }
-
- private:
-  std::vector<int> next_in_time(std::size_t most) {
-    std::vector<int> next;
-    while (next.size() < most && next_ < loop_closures_.size()) {
-      next.push_back(static_cast<int>(next_++));
-    }
-    return next;
-  }
-
-  /// Where the map cannot tell a wrong loop: of the groups of these loops, the pending loops of the
-  /// one that agrees most within itself.
-  [[nodiscard]] std::vector<int> best_supported(const std::vector<int>& candidates) const {
-    std::vector<int> best;
-    std::set<int> groups;
-    for (const int i : candidates) {
-      if (!groups.insert(group(i)).second) continue;
-      std::vector<int> members = agreeing_members(group(i));
-      if (members.size() > std::max<std::size_t>(best.size(), 1)) best = std::move(members);
-    }
-    return best;
-  }
-
-  /// The pending loops of a group that agree with more than half of it.
-  [[nodiscard]] std::vector<int> agreeing_members(int group) const {
-    const std::vector<int>& members = members_[as_index(group)];
-    std::vector<int> agreeing;
-    for (const int i : members) {
-      if (!order_->is_pending(i)) continue;
-      const auto support = std::ranges::count_if(members, [&](int j) {
-        return j != i && cycle_residual(problem_.odometry, constraint_of(loop_closure(i), 0),
-                                        constraint_of(loop_closure(j), 0))
-                                 .disagreement < gate_;
-      });
-      if (2 * support >= std::ssize(members)) agreeing.push_back(i);
-    }
-    return agreeing;
-  }
-
-  const AssociationProblem& problem_;
-  double gate_;
-  bool in_time_order_;
-  std::size_t next_ = 0;
-  std::vector<LoopClosure> loop_closures_;
-  std::vector<int> groups_;
-  std::vector<std::vector<int>> members_;  // of each group
-  std::optional<LoopOrder> order_;
-};
-
 /// The accepted constraints, at full weight.
 struct AcceptedConstraints {
   AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
@@ -251,77 +148,94 @@ void add(OptimizeResult& all, const OptimizeResult& step) {
   all.factorisations = factorisations;
 }
 
+/// Decides the loops of a file.
+class FileAssociation {
+ public:
+  FileAssociation(const PoseGraph& graph, const LazyAssociationParams& params)
+      : params_(params), parts_(split(graph)), association_(params) {
+    const CondensedChain chain(graph, parts_);
+    chain.add_odometry(graph, parts_, association_);
+    std::vector<LoopClosure> loop_closures;
+    for (const int k : parts_.loops) loop_closures.push_back(chain.loop_closure(graph, k));
+    queue_.emplace(std::move(loop_closures), association_, params);
+    result_.accepted.assign(graph.constraints.size(), true);
+  }
+
+  LazyLoopClosuresResult run(const std::function<void(double)>& progress) {
+    std::size_t batch = params_.best_first ? kBatchFirst : 1;
+    for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
+      const int disagreements = association_.disagreements();
+      auto [loop_closures, groups] = queue_->with_groups(next);
+      record(next, association_.decide(std::move(loop_closures), groups, 0));
+      if (progress) progress(share_done());
+      if (!params_.best_first) continue;
+      prepare_next();
+      const bool agreed = association_.disagreements() == disagreements;
+      batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
+    }
+    finish();
+    if (progress && share_done() > 0.0) progress(1.0);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] double share_done() const {
+    return static_cast<double>(order_.size()) / static_cast<double>(parts_.loops.size() + 1);
+  }
+
+  void record(const std::vector<int>& loops, const std::vector<Association>& decided) {
+    order_.insert(order_.end(), loops.begin(), loops.end());
+    result_.history.insert(result_.history.end(), decided.begin(), decided.end());
+  }
+
+  void prepare_next() {
+    std::vector<int> accepted;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      if (association_.hypothesis().chosen[k] != Association::kNone) accepted.push_back(order_[k]);
+    }
+    if (accepted.size() >= kNoiseGrowth * noise_of_) {
+      noise_of_ = accepted.size();
+      association_.estimate_noise();
+    }
+    queue_->set_accepted(std::move(accepted));
+  }
+
+  void finish() {
+    const std::vector<int> remaining = queue_->remaining();
+    auto [loop_closures, groups] = queue_->with_groups(remaining);
+    record(remaining, association_.postpone(std::move(loop_closures), groups, 0));
+    if (params_.best_first) association_.estimate_noise();
+    record({}, association_.reconsider(0));
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const int constraint = parts_.loops[as_index(order_[i])];
+      result_.constraint_of_loop_closure.push_back(constraint);
+      result_.accepted[as_index(constraint)] =
+          association_.hypothesis().chosen[i] != Association::kNone;
+    }
+    result_.trials = association_.trials();
+  }
+
+  LazyAssociationParams params_;
+  ConstraintSplit parts_;
+  LazyAssociation association_;
+  std::optional<LoopQueue> queue_;
+  std::vector<int> order_;              // in which the loops of `parts_` were decided
+  std::size_t noise_of_ = kBatchFirst;  // accepted loops at the last estimate of their noise
+  LazyLoopClosuresResult result_;
+};
+
 }  // namespace
 
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress) {
-  LazyLoopClosuresResult result;
   if (const auto gap = odometry_gap(graph)) {
     throw std::invalid_argument(
         fmt::format("no constraint leads from pose {} to the next: loops cannot be tested without "
                     "complete odometry",
                     *gap));
   }
-  const ConstraintSplit parts = split(graph);
-  const CondensedChain condensed_chain(graph, parts);
-  LazyAssociation association(params);
-  condensed_chain.add_odometry(graph, parts, association);
-  std::vector<int> order;  // in which the loops of `parts` were decided
-  std::size_t noise_of = kBatchFirst;  // accepted loops at the last estimate of their noise
-  LoopSource loops(graph, parts, condensed_chain, association.problem(), params);
-  std::size_t batch = params.best_first ? kBatchFirst : 1;
-  std::vector<int> accepted;  // of the loops of `parts`
-  const auto take = [&](const std::vector<int>& next) {
-    std::vector<LoopClosure> loop_closures;
-    std::vector<int> groups;
-    for (const int i : next) {
-      loop_closures.push_back(loops.loop_closure(i));
-      groups.push_back(loops.group(i));
-      result.constraint_of_loop_closure.push_back(parts.loops[as_index(i)]);
-      order.push_back(i);
-    }
-    return std::pair{std::move(loop_closures), std::move(groups)};
-  };
-  const auto record = [&](const std::vector<Association>& decided) {
-    result.history.insert(result.history.end(), decided.begin(), decided.end());
-    if (progress) {
-      progress(static_cast<double>(order.size()) / static_cast<double>(parts.loops.size()));
-    }
-  };
-  while (loops.pending() > 0) {
-    const std::vector<int> next = loops.next(batch, accepted, association);
-    if (next.empty()) break;
-    const int disagreements = association.disagreements();
-    auto [loop_closures, groups] = take(next);
-    record(association.decide(std::move(loop_closures), groups, 0));
-    accepted.clear();
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      if (association.hypothesis().chosen[k] != Association::kNone) accepted.push_back(order[k]);
-    }
-    if (!params.best_first) continue;
-    if (accepted.size() >= kNoiseGrowth * noise_of) {
-      noise_of = accepted.size();
-      association.estimate_noise();
-    }
-    const bool agreed = association.disagreements() == disagreements;
-    batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
-  }
-  const std::vector<int> postponed = loops.postponed();
-  if (!postponed.empty()) {
-    auto [loop_closures, groups] = take(postponed);
-    record(association.postpone(std::move(loop_closures), groups, 0));
-  }
-  if (params.best_first) association.estimate_noise();
-  const auto reconsidered = association.reconsider(0);
-  result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
-  result.accepted.assign(graph.constraints.size(), true);
-  for (std::size_t i = 0; i < result.constraint_of_loop_closure.size(); ++i) {
-    result.accepted[as_index(result.constraint_of_loop_closure[i])] =
-        association.hypothesis().chosen[i] != Association::kNone;
-  }
-  result.trials = association.trials();
-  return result;
+  return FileAssociation(graph, params).run(progress);
 }
 
 std::optional<int> odometry_gap(const PoseGraph& graph) {

@@ -30,7 +30,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops)
-    : loops_(std::move(loops)), is_pending_(loops_.size(), true), pending_(loops_.size()) {
+    : loops_(std::move(loops)), is_pending_(loops_.size(), true) {
   for (int axis = 0; axis < 3 && !chain.empty(); ++axis) {
     std::vector<double> values;
     for (const PoseConstraint& step : chain) values.push_back(variances(step)[axis]);
@@ -88,8 +88,7 @@ std::vector<double> LoopOrder::distances_from(const Links& links, int interval) 
   return distances;
 }
 
-std::vector<int> LoopOrder::most_certain(std::size_t most,
-                                         const std::vector<int>& accepted) const {
+std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int>& accepted) const {
   Links links = chain_;
   for (const int loop : accepted) {
     const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
@@ -115,10 +114,7 @@ std::vector<int> LoopOrder::most_certain(std::size_t most,
 }
 
 void LoopOrder::take(const std::vector<int>& loops) {
-  for (const int loop : loops) {
-    pending_ -= is_pending(loop) ? 1 : 0;
-    is_pending_[static_cast<std::size_t>(loop)] = false;
-  }
+  for (const int loop : loops) is_pending_[static_cast<std::size_t>(loop)] = false;
 }
 
 }  // namespace adit

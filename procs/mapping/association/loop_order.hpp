@@ -11,16 +11,15 @@
 namespace adit {
 
 /// The order in which the loops of a finished graph are decided: most certain first. The less
-/// uncertain the relative pose of two nodes is, the less likely is it that a wrong loop between them
-/// passes for a right one; each accepted loop makes others more certain. How uncertain it is, is
-/// estimated by the path of least variance between them along the odometry and the accepted loops,
-/// between intervals of the odometry, not nodes, so that the cost is bounded.
+/// uncertain the relative pose of two nodes is, the less likely is it that a wrong loop between
+/// them passes for a right one; each accepted loop makes others more certain. How uncertain it is,
+/// is estimated by the path of least variance between them along the odometry and the accepted
+/// loops, between intervals of the odometry, not nodes, so that the cost is bounded.
 class LoopOrder {
  public:
   /// `chain`: the odometry, from each node to the next. `loops`: all loops, between these nodes.
   LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops);
 
-  [[nodiscard]] std::size_t pending() const { return pending_; }
   /// The pending loops that are most certain where these loops are accepted, at most `most`:
   /// indices, most certain first. The last is at most twice as uncertain as the first.
   [[nodiscard]] std::vector<int> most_certain(std::size_t most,
@@ -43,7 +42,6 @@ class LoopOrder {
 
   std::vector<PoseConstraint> loops_;
   std::vector<bool> is_pending_;
-  std::size_t pending_ = 0;
   Eigen::Vector3d unit_ = Eigen::Vector3d::Ones();  // variances of a typical step of the odometry
   std::vector<int> interval_;                       // of each node
   double interval_variance_ = 0.0;

@@ -14,7 +14,6 @@ constexpr std::size_t kSinglesMax = 3;   // single loop closures tried
 constexpr std::size_t kCoupledMax = 40;  // loop closures of which the influence is computed
 constexpr std::size_t kGroupsMax = 3;    // contradicted groups that a search may revoke
 
-
 /// An interval of the chain, by its first and last map.
 struct ChainInterval {
   int from = 0;

@@ -14,10 +14,10 @@
 namespace adit {
 namespace {
 
-constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
+constexpr double kTurnMax = 0.01;   // of a map, beyond which the field is linearised again [rad]
 constexpr int kLinearisations = 4;  // of the field before the graph is optimised
-constexpr int kFewSteps = 15;      // to an optimum near the poses
-constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
+constexpr int kFewSteps = 15;       // to an optimum near the poses
+constexpr double kTurnFar = 0.5;    // beyond which iteration may not converge to the optimum [rad]
 
 double largest_turn(const Eigen::VectorXd& mode) {
   double turn = 0.0;

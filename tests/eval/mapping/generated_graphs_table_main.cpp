@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // generated_graphs_table: compares methods of loop closure selection on generated pose graphs with
 // wrong loop closures and known truth, one row per seed and method, as CSV.
-#include <ctime>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <functional>
 #include <iostream>

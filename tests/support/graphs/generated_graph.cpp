@@ -103,7 +103,8 @@ std::vector<Pose2> drive_through_rings(int poses, RandomNumbers& random) {
 /// Whether the next metre ahead is outside a rectangle that begins at the origin.
 bool leaves(const Pose2& pose, double length_m, double width_m) {
   const Eigen::Vector2d next = pose * Eigen::Vector2d(1.0, 0.0);
-  return next.x() < -0.5 || next.y() < -0.5 || next.x() > length_m + 0.5 || next.y() > width_m + 0.5;
+  return next.x() < -0.5 || next.y() < -0.5 || next.x() > length_m + 0.5 ||
+         next.y() > width_m + 0.5;
 }
 
 /// Along parallel entries, straight on for the most part, through crosscuts, and back at the ends.
@@ -223,12 +224,14 @@ class GraphGenerator {
                                                                 : kTunnelLength;
     const bool parallel = scenario_.wrong == WrongLoops::kParallel;
     const int shortest = parallel ? kGroupLength : length;
-    const int steps = std::min({shortest + random_.below(length - shortest + 1), most, poses() / 4});
+    const int steps =
+        std::min({shortest + random_.below(length - shortest + 1), most, poses() / 4});
     const int a = random_.below(poses() - steps);
     const int b = random_.below(poses() - steps);
     if (b - a <= 2 * steps + kLoopApart) return 0;
     Pose2 claim = random_.error(0.5, 0.05);
-    if (scenario_.wrong == WrongLoops::kRandom) claim.theta = 2.0 * std::numbers::pi * random_.uniform();
+    if (scenario_.wrong == WrongLoops::kRandom)
+      claim.theta = 2.0 * std::numbers::pi * random_.uniform();
     if (parallel && !look_alike(a, b, steps)) return 0;
     std::vector<PoseConstraint> loops;
     for (int k = 0; k < steps; ++k) {
@@ -248,7 +251,8 @@ class GraphGenerator {
   /// Whether two sections have the same shape.
   [[nodiscard]] bool look_alike(int a, int b, int steps) const {
     for (int k = 0; k < steps; ++k) {
-      const Pose2 difference = between(between(truth(a), truth(a + k)), between(truth(b), truth(b + k)));
+      const Pose2 difference =
+          between(between(truth(a), truth(a + k)), between(truth(b), truth(b + k)));
       if (difference.translation().norm() > 0.5 || std::abs(difference.theta) > 0.1) return false;
     }
     return true;

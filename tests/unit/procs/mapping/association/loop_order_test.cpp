@@ -26,16 +26,13 @@ PoseConstraint loop(int from, int to) {
 
 TEST(LoopOrder, BeginsWithTheShortestLoops) {
   LoopOrder order(odometry(), {loop(100, 900), loop(100, 250), loop(400, 500), loop(300, 600)});
-  EXPECT_EQ(order.pending(), 4U);
   EXPECT_THAT(order.most_certain(9, {}), ElementsAre(2, 1));  // others: over twice as uncertain
   EXPECT_THAT(order.most_certain(1, {}), ElementsAre(2));
   order.take({2, 1});
-  EXPECT_EQ(order.pending(), 2U);
   EXPECT_FALSE(order.is_pending(1));
   EXPECT_TRUE(order.is_pending(3));
   EXPECT_THAT(order.most_certain(9, {}), ElementsAre(3));
   order.take({0, 3, 3});
-  EXPECT_EQ(order.pending(), 0U);
   EXPECT_THAT(order.most_certain(9, {}), IsEmpty());
 }
 

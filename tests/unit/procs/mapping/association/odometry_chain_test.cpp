@@ -185,7 +185,8 @@ TEST(CycleResidual, IsSymmetric) {
   const PoseConstraint a = draw.loop_closure(2, 25);
   const PoseConstraint b = draw.loop_closure(8, 29);
   // Residuals are in different frames: equal up to second order.
-  EXPECT_NEAR(cycle_residual(draw.odometry, a, b).disagreement, cycle_residual(draw.odometry, b, a).disagreement, 0.1);
+  EXPECT_NEAR(cycle_residual(draw.odometry, a, b).disagreement,
+              cycle_residual(draw.odometry, b, a).disagreement, 0.1);
 }
 
 TEST(CycleResidual, GrowsWithTheErrorExceptAlongADegenerateDirection) {

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include <Eigen/LU>
+
 #include "common/geometry/symmetric_eigen.hpp"
 #include "common/geometry/symmetric_solve.hpp"
 #include "common/pose_graph/optimize.hpp"
@@ -14,6 +16,8 @@ namespace {
 /// Maximum share of the information on a relative pose that a removed constraint may have
 /// contributed.
 constexpr double kShareMax = 1.0 - 1e-9;
+
+constexpr double kInformationMin = 1.0 / (30.0 * 30.0);
 
 /// G with G Gᵀ = R, which may be singular.
 Eigen::Matrix3d square_root(const Eigen::Matrix3d& R) {
@@ -164,10 +168,22 @@ double increase_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma,
 
 }  // namespace
 
+/// Σ of the measured relative pose.
+Eigen::Matrix3d GaussianField::covariance_of(const ConstraintView& view,
+                                             const PoseConstraint& c) const {
+  Eigen::MatrixXd& among = among_[{c.from, c.to}];
+  if (among.size() == 0) among = equations_.matrix().inverse_among(view.blocks);
+  return view.J * among * view.J.transpose();
+}
+
 double GaussianField::objective_increase(const PoseConstraint& c) const {
   const ConstraintView view = view_of(c);
-  return increase_of(
-      view.d, view.J * equations_.matrix().inverse_among(view.blocks) * view.J.transpose(), view.G);
+  return increase_of(view.d, covariance_of(view, c), view.G);
+}
+
+Eigen::Matrix3d GaussianField::residual_covariance(const PoseConstraint& c) const {
+  const Eigen::Matrix3d information = c.information + kInformationMin * Eigen::Matrix3d::Identity();
+  return covariance_of(view_of(c), c) + information.inverse();
 }
 
 /// The parts of H⁻¹ for constraints of the factorised matrix, all by one recursion.
@@ -225,11 +241,9 @@ std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
   std::vector<LeaveOneOut> all;
   for (const PoseConstraint& constraint : present) {
     const ConstraintView u = view_of(constraint);
-    Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
-    if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
     // Removing u is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
     const Eigen::Matrix3d remaining =
-        Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
+        Eigen::Matrix3d::Identity() - u.G.transpose() * covariance_of(u, constraint) * u.G;
     const Eigen::Matrix3d W = u.G * solve_symmetric(remaining, Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
     all.push_back({u.d.dot(W * u.d),

@@ -42,6 +42,10 @@ class GaussianField {
   /// constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) const;
 
+  /// The covariance of the residual of a constraint that is not in the field: Σ + R⁻¹ as above.
+  /// Directions without information in R have a standard deviation of 30 m or rad.
+  [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) const;
+
   /// The field without one of its constraints.
   struct LeaveOneOut {
     double objective_decrease = 0.0;  ///< of `objective`
@@ -70,6 +74,8 @@ class GaussianField {
 
   [[nodiscard]] ConstraintView view_of(const PoseConstraint& constraint) const;
   [[nodiscard]] Eigen::MatrixXd columns_of(const ConstraintView& view) const;
+  [[nodiscard]] Eigen::Matrix3d covariance_of(const ConstraintView& view,
+                                              const PoseConstraint& constraint) const;
   [[nodiscard]] const Pose2& pose(int node) const;
   [[nodiscard]] LinearPotential linear(const PoseConstraint& constraint) const;
   void find_all_among(const std::vector<PoseConstraint>& present) const;

@@ -3,6 +3,7 @@
 #include "procs/mapping/association/association_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 
@@ -44,9 +45,23 @@ std::vector<LoopClosure> AssociationProblem::roll_back(const Checkpoint& checkpo
 }
 
 void AssociationProblem::add_to_group(int group) {
-  if (group == group_count()) members.emplace_back();
+  if (group >= group_count()) members.resize(as_index(group) + 1);
   members[as_index(group)].push_back(static_cast<int>(groups.size()));
   groups.push_back(group);
+}
+
+int group_near(const OdometryChain& odometry, const std::vector<LoopClosure>& loop_closures,
+               const std::vector<int>& groups, const LoopClosure& loop_closure, double gap_m) {
+  const auto newer_m = [&](const LoopClosure& c) { return odometry.length_m(c.newer_map); };
+  const auto older_m = [&](const LoopClosure& c) {
+    return odometry.length_m(c.alternatives.front().older_map);
+  };
+  for (std::size_t k = loop_closures.size(); k-- > 0;) {
+    const LoopClosure& other = loop_closures[k];
+    if (newer_m(loop_closure) - newer_m(other) > gap_m) break;
+    if (std::abs(older_m(loop_closure) - older_m(other)) <= gap_m) return groups[k];
+  }
+  return -1;
 }
 
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,

@@ -14,6 +14,9 @@ namespace adit {
 /// An id of a local map or a loop closure as an index of a container.
 inline std::size_t as_index(int id) { return static_cast<std::size_t>(id); }
 
+/// A fit that is more likely than this to occur by chance is no evidence.
+constexpr double kChanceMax = 0.05;
+
 /// The input of data association: the chain of local maps, which is certain, and the loop closures,
 /// which are to be decided.
 struct AssociationProblem {
@@ -30,7 +33,7 @@ struct AssociationProblem {
   [[nodiscard]] const std::vector<int>& members_of_group_of(int loop_closure) const {
     return members[as_index(groups[as_index(loop_closure)])];
   }
-  /// Puts the next loop closure into a group; the number of groups makes a new one.
+  /// Puts the next loop closure into a group, a new one from the number of groups on.
   void add_to_group(int group);
 
   /// The size of the problem at some time.
@@ -43,6 +46,11 @@ struct AssociationProblem {
   /// Removes the maps and loop closures added since the checkpoint. Returns these loop closures.
   std::vector<LoopClosure> roll_back(const Checkpoint& checkpoint);
 };
+
+/// The group of the latest of these loop closures, in order of their newer map, that is within
+/// `gap_m` of another one along the odometry at both ends; −1 if there is none.
+int group_near(const OdometryChain& odometry, const std::vector<LoopClosure>& loop_closures,
+               const std::vector<int>& groups, const LoopClosure& loop_closure, double gap_m);
 
 /// The constraint of an alternative of a loop closure.
 inline PoseConstraint constraint_of(const LoopClosure& loop_closure, int alternative) {

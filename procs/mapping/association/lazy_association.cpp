@@ -13,11 +13,22 @@ namespace {
 
 constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsRevokedMax = 4;      // by one revision
-constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
-constexpr std::size_t kTogetherMin = 8;   // loop closures accepted by one optimisation
-constexpr double kExplainedShare = 0.3;   // of a gate, by each: twice the expected chi-square
-constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
+constexpr int kGroupsRevokedMax = 4;         // by one revision
+constexpr int kReconsiderRoundsMax = 10;     // of revoking and choosing; usually fewer until stable
+constexpr std::size_t kTogetherMin = 8;      // loop closures accepted by one optimisation
+constexpr int kRoundsTogether = 3;           // of leaving out those that do not fit
+constexpr std::size_t kMisfitShareMax = 4;   // 1 / share that may be left out
+constexpr double kExplainedShare = 0.3;      // of a gate, by each: twice the expected chi-square
+constexpr double kMedianChiSquare3 = 2.366;  // three degrees of freedom
+constexpr std::size_t kClaimsPresumed = 10;  // loop closures whose errors are as claimed
+constexpr double kNoiseMargin = 3.0;    // of the estimated noise: its distribution is not known
+constexpr double kTrialsInVain = 30.0;  // of a search, in a file
+constexpr double kTrialsPerLoopClosure = 0.02;
+constexpr double kWrongPresumed = 1.0;  // loop closures, before any is decided
+constexpr double kRightPresumed = 9.0;
+constexpr double kWrongOddsMax = 0.1;  // that one which fits is wrong
+constexpr double kNoiseMin = 0.02;
+constexpr double kPlausibleGates = 1.5;  // the odometry is composed to first order only
 
 std::string reason_of(const Association& a) {
   const bool now = a.chosen != Association::kNone;
@@ -46,9 +57,19 @@ void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix
 
 std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_closures,
                                                  std::int64_t utime) {
+  std::vector<int> groups;
+  for (std::size_t i = 0; i < loop_closures.size(); ++i) groups.push_back(kGroupByOdometry);
+  return decide(std::move(loop_closures), groups, utime);
+}
+
+std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_closures,
+                                                 const std::vector<int>& groups,
+                                                 std::int64_t utime) {
   std::vector<int> added;
   added.reserve(loop_closures.size());
-  for (LoopClosure& loop_closure : loop_closures) added.push_back(append(std::move(loop_closure)));
+  for (std::size_t i = 0; i < loop_closures.size(); ++i) {
+    added.push_back(append(std::move(loop_closures[i]), groups[i]));
+  }
   const std::vector<int> before = hypothesis_.chosen;
   if (params_.best_first) accept_likely(added);
   for (const int k : added) {
@@ -74,15 +95,26 @@ void LazyAssociation::accept_likely(std::vector<int> loop_closures) {
 /// than kTogetherMin are left to the caller: an update of the factor for each is cheaper.
 std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closures) {
   if (loop_closures.size() < kTogetherMin) return 0;
-  std::vector<std::array<int, 2>> choices;
+  Choices choices;
   for (const int k : loop_closures) {
     const int alternative = most_likely(trial(), k);
     if (alternative != Association::kNone) choices.push_back({k, alternative});
   }
-  if (choices.size() < kTogetherMin) return 0;
-  if (accept_if_consistent(choices, false) || accept_if_consistent(choices, true)) {
-    return choices.size();
+  bool agree = true;
+  for (int round = 0; round < kRoundsTogether; ++round) {
+    if (choices.size() < kTogetherMin) break;
+    Choices misfits = accept_if_consistent(choices, false);
+    if (!misfits.empty()) misfits = accept_if_consistent(choices, true);
+    if (misfits.empty()) {
+      disagreements_ += agree ? 0 : 1;
+      return choices.size();
+    }
+    agree = false;
+    if (kMisfitShareMax * misfits.size() > choices.size()) break;
+    std::erase_if(choices,
+                  [&](const auto& c) { return std::ranges::find(misfits, c) != misfits.end(); });
   }
+  if (agree) return 0;
   ++disagreements_;
   std::vector<int> likely;
   for (const auto& [k, alternative] : choices) likely.push_back(k);
@@ -92,25 +124,25 @@ std::size_t LazyAssociation::accept_together(const std::vector<int>& loop_closur
 }
 
 /// Accepts them unless one does not fit then, or the objective rises by more than their
-/// measurement errors explain.
-bool LazyAssociation::accept_if_consistent(const std::vector<std::array<int, 2>>& choices,
-                                           bool from_scratch) {
+/// measurement errors explain. Returns those that do not fit, all if it is not known which.
+LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& choices,
+                                                               bool from_scratch) {
   Trial together(problem_, trial().hypothesis());
   const double before = together.objective();
   together.accept(choices, from_scratch);
-  const double explained =
-      params_.gate * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
-  if (!(together.objective() - before <= explained)) return false;
   std::vector<int> accepted;
   for (const auto& [k, alternative] : choices) accepted.push_back(k);
-  const auto without = together.leave_one_out(
-      accepted,
-      constraint_of(problem_.loop_closures[as_index(accepted.front())], choices.front()[1]));
-  const bool misfit = std::ranges::any_of(
-      without, [&](const auto& one) { return one.objective_decrease > params_.gate; });
-  if (misfit) return false;
-  trial_.emplace(problem_, together.hypothesis());
-  return true;
+  const auto without =
+      together.leave_one_out(accepted, together.chosen_constraint(accepted.front()));
+  Choices misfits;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (without[i].objective_decrease > gate()) misfits.push_back(choices[i]);
+  }
+  const double explained = gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
+  const bool is_explained = together.objective() - before <= explained;
+  if (misfits.empty() && !is_explained) return choices;
+  if (misfits.empty()) trial_.emplace(problem_, together.hypothesis());
+  return misfits;
 }
 
 Trial& LazyAssociation::trial() {
@@ -242,39 +274,29 @@ void LazyAssociation::restore(const std::vector<Association>& associations) {
 }
 
 /// Adds a loop closure, undecided. Returns its id.
-int LazyAssociation::append(LoopClosure loop_closure) {
-  add_to_problem(std::move(loop_closure));
+int LazyAssociation::append(LoopClosure loop_closure, int group) {
+  add_to_problem(std::move(loop_closure), group);
   hypothesis_.chosen.push_back(Association::kNone);
   if (trial_) trial_->add_undecided();
   return problem_.loop_closures.back().id;
 }
 
 /// Adds a loop closure to the problem, but to no hypothesis.
-void LazyAssociation::add_to_problem(LoopClosure loop_closure) {
-  const int group = group_of(loop_closure);
+void LazyAssociation::add_to_problem(LoopClosure loop_closure, int group) {
+  if (group == kGroupByOdometry) {
+    group = group_near(problem_.odometry, problem_.loop_closures, problem_.groups, loop_closure,
+                       params_.group_gap_m);
+    if (group < 0) group = problem_.group_count();
+  }
   loop_closure.id = static_cast<int>(problem_.loop_closures.size());
-  problem_.add_to_group(group >= 0 ? group : problem_.group_count());
+  problem_.add_to_group(group);
   bool plausible = false;
   for (int a = 0; a < static_cast<int>(loop_closure.alternatives.size()); ++a) {
-    plausible |= disagreement(problem_.odometry, constraint_of(loop_closure, a)) <
+    plausible |= cycle_residual(problem_.odometry, constraint_of(loop_closure, a)).disagreement <
                  kPlausibleGates * params_.gate;
   }
   problem_.plausible.push_back(plausible);
   problem_.loop_closures.push_back(std::move(loop_closure));
-}
-
-/// The group of the latest loop closure within `group_gap_m` at both ends; −1 if there is none.
-int LazyAssociation::group_of(const LoopClosure& loop_closure) const {
-  const auto odometry = [&](int map) { return problem_.odometry.length_m(map); };
-  const auto older = [](const LoopClosure& c) { return c.alternatives.front().older_map; };
-  for (std::size_t k = problem_.loop_closures.size(); k-- > 0;) {
-    const LoopClosure& other = problem_.loop_closures[k];
-    if (odometry(loop_closure.newer_map) - odometry(other.newer_map) > params_.group_gap_m) break;
-    if (std::abs(odometry(older(loop_closure)) - odometry(older(other))) <= params_.group_gap_m) {
-      return problem_.groups[k];
-    }
-  }
-  return -1;
 }
 
 /// The cost of rejecting a loop closure: higher if another of its group is chosen.
@@ -282,7 +304,7 @@ double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
   const std::vector<int>& group = problem_.members_of_group_of(loop_closure);
   const bool supported =
       std::ranges::any_of(group, [&](int k) { return trial.chosen(k) != Association::kNone; });
-  return supported ? params_.gate_supported : params_.gate;
+  return noise_.value_or(1.0) * (supported ? params_.gate_supported : params_.gate);
 }
 
 /// −2 log-likelihood up to a constant: the objective (section 2.3) and the costs of the decisions.
@@ -290,7 +312,7 @@ double LazyAssociation::cost(const Hypothesis& hypothesis) const {
   double cost = hypothesis.objective;
   for (std::size_t k = 0; k < hypothesis.chosen.size(); ++k) {
     cost += hypothesis.chosen[k] == Association::kNone
-                ? params_.gate
+                ? gate()
                 : penalty(problem_.loop_closures[k], hypothesis.chosen[k]);
   }
   return cost;
@@ -349,7 +371,7 @@ void LazyAssociation::record_changes(std::vector<Association>& record, std::int6
 /// on: one more contradiction of the same kind rarely changes the result. Never for a loop closure
 /// that the odometry excludes.
 bool LazyAssociation::search_is_due(int loop_closure) {
-  if (!problem_.plausible[as_index(loop_closure)]) return false;
+  if (!problem_.plausible[as_index(loop_closure)] || is_search_exhausted()) return false;
   int contradictions = 0;
   for (const int k : problem_.members_of_group_of(loop_closure)) {
     if (k > loop_closure || !problem_.plausible[as_index(k)]) continue;
@@ -361,20 +383,31 @@ bool LazyAssociation::search_is_due(int loop_closure) {
   return true;
 }
 
+/// Where the noise is estimated, in a file: whether hypotheses were evaluated in vain so often that
+/// contradictions are those of wrong loop closures. They are rejected then.
+bool LazyAssociation::is_search_exhausted() const {
+  if (!noise_) return false;
+  const auto decided = static_cast<double>(hypothesis_.chosen.size());
+  return trials_in_vain_ > kTrialsInVain + kTrialsPerLoopClosure * decided;
+}
+
 /// Searches the tree of decisions for a hypothesis in which the loop closure is chosen and that
 /// costs less than the present one. Empty if none is found within the budget.
 std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   Hypothesis present = trial_->hypothesis();
   double least = cost(present);
   const std::vector<RevisionCandidate> order =
-      params_.best_first ? revision_candidates(problem_, *trial_, loop_closure, params_.gate, least)
+      params_.best_first ? revision_candidates(problem_, *trial_, loop_closure, gate(), least)
                          : latest_groups(problem_, *trial_, params_.trials_max);
   std::optional<Hypothesis> best;
   int budget = params_.trials_max;
   for (const RevisionCandidate& candidate : order) {
     if (budget-- == 0 || candidate.bound >= least) break;
     auto hypothesis = hypothesis_accepting(loop_closure, candidate);
-    if (!hypothesis || hypothesis->cost >= least) continue;
+    if (!hypothesis || hypothesis->cost >= least) {
+      ++trials_in_vain_;
+      continue;
+    }
     least = hypothesis->cost;
     best = std::move(hypothesis);
     if (!params_.best_first) break;
@@ -401,12 +434,14 @@ int LazyAssociation::first_affected_map(const RevisionCandidate& candidate,
 std::optional<Hypothesis> LazyAssociation::hypothesis_accepting(
     int loop_closure, const RevisionCandidate& candidate) {
   ++trials_;
-  Trial trial(problem_, trial_->hypothesis(), first_affected_map(candidate, loop_closure));
+  const int first = first_affected_map(candidate, loop_closure);
+  Trial trial(problem_, trial_->hypothesis(), first);
   trial.revoke(candidate.loop_closures);
   if (!choose_most_likely(trial, loop_closure)) return std::nullopt;
   for (int k = candidate.loop_closures.front(); k < loop_closure; ++k) {
     const bool undecided = trial.chosen(k) == Association::kNone && problem_.plausible[as_index(k)];
-    if (undecided) choose_most_likely(trial, k);
+    const bool affected = problem_.loop_closures[as_index(k)].newer_map >= first;
+    if (undecided && affected) choose_most_likely(trial, k);
   }
   trial.reoptimize();
   Hypothesis hypothesis = trial.hypothesis();
@@ -420,9 +455,7 @@ void LazyAssociation::revoke_misfits(Trial& trial) const {
   while (true) {
     const std::vector<int> chosen = trial.chosen_loop_closures();
     if (chosen.empty()) return;
-    const auto without =
-        trial.leave_one_out(chosen, constraint_of(problem_.loop_closures[as_index(chosen.front())],
-                                                  trial.chosen(chosen.front())));
+    const auto without = trial.leave_one_out(chosen, trial.chosen_constraint(chosen.front()));
     const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
       return a.objective_decrease < b.objective_decrease;
     });
@@ -430,6 +463,51 @@ void LazyAssociation::revoke_misfits(Trial& trial) const {
     if (worst->objective_decrease <= gate(trial, misfit)) return;
     trial.revoke({misfit});
   }
+}
+
+std::vector<Association> LazyAssociation::postpone(std::vector<LoopClosure> loop_closures,
+                                                   const std::vector<int>& groups,
+                                                   std::int64_t utime) {
+  static_cast<void>(trial());  // whose hypothesis is recorded
+  const std::vector<int> before = hypothesis_.chosen;
+  for (std::size_t i = 0; i < loop_closures.size(); ++i) {
+    append(std::move(loop_closures[i]), groups[i]);
+  }
+  std::vector<Association> record;
+  record_changes(record, utime, before, before.size());
+  return record;
+}
+
+double LazyAssociation::chance(const LoopClosure& loop_closure) {
+  return chance_of_fit(trial().residual_covariance(constraint_of(loop_closure, 0)), gate(),
+                       problem_.odometry.area_m2());
+}
+
+bool LazyAssociation::is_evidence(double chance) const {
+  const auto rejected =
+      static_cast<double>(std::ranges::count(hypothesis_.chosen, Association::kNone));
+  const double accepted = static_cast<double>(hypothesis_.chosen.size()) - rejected;
+  const double odds = (rejected + kWrongPresumed) / (accepted + kRightPresumed);
+  return chance * odds < kWrongOddsMax;
+}
+
+void LazyAssociation::estimate_noise() {
+  const std::vector<int> chosen = trial().chosen_loop_closures();
+  if (chosen.empty()) return;
+  std::vector<double> errors(kClaimsPresumed, kMedianChiSquare3);
+  for (const auto& without :
+       trial().leave_one_out(chosen, trial().chosen_constraint(chosen.front()))) {
+    errors.push_back(without.objective_decrease);
+  }
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  noise_ = std::clamp(kNoiseMargin * *middle / kMedianChiSquare3, kNoiseMin, 1.0);
+}
+
+/// Where wrong loop closures fit by chance, a rejected one is not accepted for fitting now.
+bool LazyAssociation::may_reconsider(int loop_closure) {
+  if (!noise_) return true;
+  return is_evidence(chance(problem_.loop_closures[as_index(loop_closure)]));
 }
 
 std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
@@ -440,7 +518,9 @@ std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
     const std::vector<int> last = present.decisions();
     revoke_misfits(present);
     for (int k = 0; k < static_cast<int>(before.size()); ++k) {
-      if (present.chosen(k) == Association::kNone) choose_most_likely(present, k);
+      if (present.chosen(k) == Association::kNone && may_reconsider(k)) {
+        choose_most_likely(present, k);
+      }
     }
     present.reoptimize();
     if (present.decisions() == last) break;

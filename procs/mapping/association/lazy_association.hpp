@@ -77,6 +77,11 @@ class LazyAssociation {
   /// other, by halves.
   std::vector<Association> decide(std::vector<LoopClosure> loop_closures, std::int64_t utime);
 
+  /// The same in any order of their newer maps, where the groups are known before: that of each
+  /// loop closure, by any number from 0.
+  std::vector<Association> decide(std::vector<LoopClosure> loop_closures,
+                                  const std::vector<int>& groups, std::int64_t utime);
+
   /// The current hypothesis, for further queries.
   [[nodiscard]] Trial& trial();
 
@@ -104,6 +109,23 @@ class LazyAssociation {
   /// of a recording.
   std::vector<Association> reconsider(std::int64_t utime);
 
+  /// Adds loop closures that the present map cannot tell from wrong ones, to be decided by
+  /// `reconsider`. Returns that they are rejected.
+  std::vector<Association> postpone(std::vector<LoopClosure> loop_closures,
+                                    const std::vector<int>& groups, std::int64_t utime);
+
+  /// The probability that the present map would accept this loop closure if it were wrong: by
+  /// chance, since it is then as likely to be anywhere in the map.
+  [[nodiscard]] double chance(const LoopClosure& loop_closure);
+  /// Whether a loop closure that fits with this chance is rather right than wrong, if as many are
+  /// wrong as were rejected so far.
+  [[nodiscard]] bool is_evidence(double chance) const;
+
+  /// Estimates how much smaller the errors of the loop closures are than their information claims,
+  /// from the median of what each adds to the objective, and lowers the gates accordingly. For
+  /// files whose information has an arbitrary scale; the gates are not raised.
+  void estimate_noise();
+
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
   [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
   /// Number of hypotheses evaluated in searches so far.
@@ -114,19 +136,22 @@ class LazyAssociation {
  private:
   struct Revision;
 
-  int append(LoopClosure loop_closure);
-  void add_to_problem(LoopClosure loop_closure);
-  [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
+  static constexpr int kGroupByOdometry = -1;
+  int append(LoopClosure loop_closure, int group = kGroupByOdometry);
+  void add_to_problem(LoopClosure loop_closure, int group = kGroupByOdometry);
 
   [[nodiscard]] int most_likely(Trial& trial, int loop_closure) const;
   bool choose_most_likely(Trial& trial, int loop_closure) const;
   void accept_likely(std::vector<int> loop_closures);
   std::size_t accept_together(const std::vector<int>& loop_closures);
-  bool accept_if_consistent(const std::vector<std::array<int, 2>>& choices, bool from_scratch);
+  using Choices = std::vector<std::array<int, 2>>;  // (loop closure, alternative)
+  Choices accept_if_consistent(const Choices& choices, bool from_scratch);
   [[nodiscard]] double gate(const Trial& trial, int loop_closure) const;
+  [[nodiscard]] double gate() const { return noise_.value_or(1.0) * params_.gate; }
   [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
 
   bool search_is_due(int loop_closure);
+  [[nodiscard]] bool is_search_exhausted() const;
   std::optional<Hypothesis> search(int loop_closure);
   std::optional<Hypothesis> hypothesis_accepting(int loop_closure,
                                                  const RevisionCandidate& candidate);
@@ -139,6 +164,7 @@ class LazyAssociation {
   std::vector<Association> adopt(Revision revision, std::int64_t utime);
 
   void revoke_misfits(Trial& trial) const;
+  [[nodiscard]] bool may_reconsider(int loop_closure);
   void set_hypothesis(Hypothesis hypothesis);
   void record_changes(std::vector<Association>& record, std::int64_t utime,
                       const std::vector<int>& before, std::size_t first_new);
@@ -149,7 +175,9 @@ class LazyAssociation {
   std::optional<Trial> trial_;           ///< `hypothesis_` with its field; empty: not yet needed
   std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
+  std::optional<double> noise_;          ///< factor of the gates, where the noise is estimated
   int trials_ = 0;
+  int trials_in_vain_ = 0;
   int disagreements_ = 0;
 };
 

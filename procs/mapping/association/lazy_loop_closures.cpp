@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
+#include "procs/mapping/association/loop_queue.hpp"
 
 namespace adit {
 namespace {
@@ -19,6 +21,7 @@ constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: wei
 // Loop closures decided together; more where they agree, fewer where they do not.
 constexpr std::size_t kBatchFirst = 16;
 constexpr std::size_t kBatchMax = 1024;
+constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
@@ -145,49 +148,94 @@ void add(OptimizeResult& all, const OptimizeResult& step) {
   all.factorisations = factorisations;
 }
 
+/// Decides the loops of a file.
+class FileAssociation {
+ public:
+  FileAssociation(const PoseGraph& graph, const LazyAssociationParams& params)
+      : params_(params), parts_(split(graph)), association_(params) {
+    const CondensedChain chain(graph, parts_);
+    chain.add_odometry(graph, parts_, association_);
+    std::vector<LoopClosure> loop_closures;
+    for (const int k : parts_.loops) loop_closures.push_back(chain.loop_closure(graph, k));
+    queue_.emplace(std::move(loop_closures), association_, params);
+    result_.accepted.assign(graph.constraints.size(), true);
+  }
+
+  LazyLoopClosuresResult run(const std::function<void(double)>& progress) {
+    std::size_t batch = params_.best_first ? kBatchFirst : 1;
+    for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
+      const int disagreements = association_.disagreements();
+      auto [loop_closures, groups] = queue_->with_groups(next);
+      record(next, association_.decide(std::move(loop_closures), groups, 0));
+      if (progress) progress(share_done());
+      if (!params_.best_first) continue;
+      prepare_next();
+      const bool agreed = association_.disagreements() == disagreements;
+      batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
+    }
+    finish();
+    if (progress && share_done() > 0.0) progress(1.0);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] double share_done() const {
+    return static_cast<double>(order_.size()) / static_cast<double>(parts_.loops.size() + 1);
+  }
+
+  void record(const std::vector<int>& loops, const std::vector<Association>& decided) {
+    order_.insert(order_.end(), loops.begin(), loops.end());
+    result_.history.insert(result_.history.end(), decided.begin(), decided.end());
+  }
+
+  void prepare_next() {
+    std::vector<int> accepted;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      if (association_.hypothesis().chosen[k] != Association::kNone) accepted.push_back(order_[k]);
+    }
+    if (accepted.size() >= kNoiseGrowth * noise_of_) {
+      noise_of_ = accepted.size();
+      association_.estimate_noise();
+    }
+    queue_->set_accepted(std::move(accepted));
+  }
+
+  void finish() {
+    const std::vector<int> remaining = queue_->remaining();
+    auto [loop_closures, groups] = queue_->with_groups(remaining);
+    record(remaining, association_.postpone(std::move(loop_closures), groups, 0));
+    if (params_.best_first) association_.estimate_noise();
+    record({}, association_.reconsider(0));
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const int constraint = parts_.loops[as_index(order_[i])];
+      result_.constraint_of_loop_closure.push_back(constraint);
+      result_.accepted[as_index(constraint)] =
+          association_.hypothesis().chosen[i] != Association::kNone;
+    }
+    result_.trials = association_.trials();
+  }
+
+  LazyAssociationParams params_;
+  ConstraintSplit parts_;
+  LazyAssociation association_;
+  std::optional<LoopQueue> queue_;
+  std::vector<int> order_;              // in which the loops of `parts_` were decided
+  std::size_t noise_of_ = kBatchFirst;  // accepted loops at the last estimate of their noise
+  LazyLoopClosuresResult result_;
+};
+
 }  // namespace
 
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress) {
-  LazyLoopClosuresResult result;
   if (const auto gap = odometry_gap(graph)) {
     throw std::invalid_argument(
         fmt::format("no constraint leads from pose {} to the next: loops cannot be tested without "
                     "complete odometry",
                     *gap));
   }
-  const ConstraintSplit parts = split(graph);
-  const CondensedChain condensed_chain(graph, parts);
-  LazyAssociation association(params);
-  condensed_chain.add_odometry(graph, parts, association);
-  std::size_t batch = params.best_first ? kBatchFirst : 1;
-  while (result.constraint_of_loop_closure.size() < parts.loops.size()) {
-    const std::size_t done = result.constraint_of_loop_closure.size();
-    const std::size_t end = std::min(done + batch, parts.loops.size());
-    std::vector<LoopClosure> loop_closures;
-    for (std::size_t i = done; i < end; ++i) {
-      loop_closures.push_back(condensed_chain.loop_closure(graph, parts.loops[i]));
-      result.constraint_of_loop_closure.push_back(parts.loops[i]);
-    }
-    const int disagreements = association.disagreements();
-    const auto decided = association.decide(std::move(loop_closures), 0);
-    result.history.insert(result.history.end(), decided.begin(), decided.end());
-    if (params.best_first) {
-      const bool agreed = association.disagreements() == disagreements;
-      batch = agreed ? std::min(2 * batch, kBatchMax) : std::max(batch / 2, kBatchFirst);
-    }
-    if (progress) progress(static_cast<double>(end) / static_cast<double>(parts.loops.size()));
-  }
-  const auto reconsidered = association.reconsider(0);
-  result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
-  result.accepted.assign(graph.constraints.size(), true);
-  for (std::size_t i = 0; i < result.constraint_of_loop_closure.size(); ++i) {
-    result.accepted[as_index(result.constraint_of_loop_closure[i])] =
-        association.hypothesis().chosen[i] != Association::kNone;
-  }
-  result.trials = association.trials();
-  return result;
+  return FileAssociation(graph, params).run(progress);
 }
 
 std::optional<int> odometry_gap(const PoseGraph& graph) {

@@ -15,15 +15,15 @@ namespace adit {
 struct LazyLoopClosuresResult {
   std::vector<bool> accepted;  ///< of each constraint
   std::vector<Association> history;
-  /// Index of the constraint of each loop closure in `history`.
+  /// Index of the constraint of each loop closure in `history`, by its id.
   std::vector<int> constraint_of_loop_closure;
   int trials = 0;
 };
 
 /// Lazy data association on a pose graph with possibly wrong loops: the constraints i → i + 1 (the
-/// first of each) are the odometry, all others are loop closures with one alternative, in the order
-/// of their later node. Throws std::invalid_argument, naming the node, if the odometry has a gap.
-/// `progress` is called with the share that is done.
+/// first of each) are the odometry, all others are loop closures with one alternative, decided in
+/// the order of LoopQueue. Throws std::invalid_argument, naming the node, if the odometry has a
+/// gap. `progress` is called with the share that is done.
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress = {});

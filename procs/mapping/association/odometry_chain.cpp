@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/association/odometry_chain.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "common/geometry/symmetric_solve.hpp"
@@ -16,9 +21,9 @@ Eigen::Matrix3d moved(const Eigen::Matrix3d& covariance, const Pose2& T) {
   return Ad * covariance * Ad.transpose();
 }
 
-double normalised(const UncertainPose& cycle) {
+CycleResidual residual_of(const UncertainPose& cycle) {
   const Eigen::Vector3d e = cycle.T_from_to.vector();
-  return e.dot(solve_symmetric(cycle.covariance, e));
+  return {e.dot(solve_symmetric(cycle.covariance, e)), cycle.covariance};
 }
 
 }  // namespace
@@ -55,15 +60,27 @@ UncertainPose OdometryChain::between(int from, int to) const {
   return {adit::between(at(from).T_first_map, at(to).T_first_map), moved(steps, T_to_first)};
 }
 
-double disagreement(const OdometryChain& odometry, const PoseConstraint& a,
-                    const PoseConstraint& b) {
-  return normalised(odometry.between(a.from, b.from) * measured_by(b) *
-                    odometry.between(b.to, a.to) * inverse(measured_by(a)));
+double OdometryChain::area_m2() const {
+  Eigen::AlignedBox2d box;
+  for (const Node& node : nodes_) box.extend(node.T_first_map.translation());
+  return box.isEmpty() ? 0.0 : box.volume();
 }
 
-double disagreement(const OdometryChain& odometry, const PoseConstraint& loop_closure) {
-  return normalised(odometry.between(loop_closure.from, loop_closure.to) *
-                    inverse(measured_by(loop_closure)));
+double chance_of_fit(const Eigen::Matrix3d& covariance, double gate, double area_m2) {
+  const double volume = std::sqrt(std::max(0.0, covariance.determinant()));
+  const double ellipsoid = 4.0 / 3.0 * std::numbers::pi * std::pow(gate, 1.5) * volume;
+  return std::min(1.0, ellipsoid / (2.0 * std::numbers::pi * area_m2));
+}
+
+CycleResidual cycle_residual(const OdometryChain& odometry, const PoseConstraint& a,
+                             const PoseConstraint& b) {
+  return residual_of(odometry.between(a.from, b.from) * measured_by(b) *
+                     odometry.between(b.to, a.to) * inverse(measured_by(a)));
+}
+
+CycleResidual cycle_residual(const OdometryChain& odometry, const PoseConstraint& loop_closure) {
+  return residual_of(odometry.between(loop_closure.from, loop_closure.to) *
+                     inverse(measured_by(loop_closure)));
 }
 
 }  // namespace adit

@@ -39,6 +39,8 @@ class OdometryChain {
   /// Path length from the first map [m].
   [[nodiscard]] double length_m(int map) const { return at(map).length_m; }
   [[nodiscard]] int maps() const { return static_cast<int>(nodes_.size()); }
+  /// Area of the rectangle, along the axes of the first map, around all maps [m²].
+  [[nodiscard]] double area_m2() const;
 
  private:
   struct Node {
@@ -53,12 +55,23 @@ class OdometryChain {
   std::vector<Node> nodes_;
 };
 
-/// The squared, normalised residual of the cycle along the odometry and two loop closures:
-/// chi-square with three degrees of freedom if both are correct.
-double disagreement(const OdometryChain& odometry, const PoseConstraint& a,
-                    const PoseConstraint& b);
+/// The probability that a residual with this covariance has a squared norm, normalised by it, below
+/// `gate` by chance, if it is equally likely all over a map of this area [m²]; at most 1.
+double chance_of_fit(const Eigen::Matrix3d& covariance, double gate, double area_m2);
 
-/// The same for the cycle of one loop closure and the odometry.
-double disagreement(const OdometryChain& odometry, const PoseConstraint& loop_closure);
+/// The residual of a cycle of measurements.
+struct CycleResidual {
+  /// Squared and normalised: chi-square with three degrees of freedom if all measurements are
+  /// correct.
+  double disagreement = 0.0;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, θ)
+};
+
+/// The cycle along the odometry and two loop closures.
+CycleResidual cycle_residual(const OdometryChain& odometry, const PoseConstraint& a,
+                             const PoseConstraint& b);
+
+/// The cycle of one loop closure and the odometry.
+CycleResidual cycle_residual(const OdometryChain& odometry, const PoseConstraint& loop_closure);
 
 }  // namespace adit

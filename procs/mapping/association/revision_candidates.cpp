@@ -52,6 +52,7 @@ class RevisionSearch {
   RevisionSearch(const AssociationProblem& problem, Trial& trial, int loop_closure, double gate,
                  double cost)
       : problem_(problem), trial_(trial), loop_closure_(loop_closure), gate_(gate), cost_(cost) {
+    area_m2_ = problem.odometry.area_m2();
     find_affected();
     find_supporting();
   }
@@ -87,7 +88,13 @@ class RevisionSearch {
     return constraint_of(problem_.loop_closures[as_index(k)], trial_.chosen(k));
   }
   [[nodiscard]] bool agree(const PoseConstraint& a, const PoseConstraint& b) const {
-    return disagreement(problem_.odometry, a, b) < gate_;
+    return cycle_residual(problem_.odometry, a, b).disagreement < gate_;
+  }
+  /// Whether two agree, and would hardly do so by chance.
+  [[nodiscard]] bool support(const PoseConstraint& a, const PoseConstraint& b) const {
+    const CycleResidual cycle = cycle_residual(problem_.odometry, a, b);
+    return cycle.disagreement < gate_ &&
+           chance_of_fit(cycle.covariance, gate_, area_m2_) < kChanceMax;
   }
 
   void find_affected() {
@@ -104,7 +111,7 @@ class RevisionSearch {
       if (trial_.chosen(k) != Association::kNone || !problem_.plausible[as_index(k)]) continue;
       const PoseConstraint constraint = constraint_of(problem_.loop_closures[as_index(k)], 0);
       const bool near = overlap(loop_of(constraint), affected_);
-      if (near && agree(constraint, query())) supporting_.push_back(constraint);
+      if (near && support(constraint, query())) supporting_.push_back(constraint);
     }
   }
 
@@ -156,6 +163,7 @@ class RevisionSearch {
   int loop_closure_;
   double gate_;
   double cost_;
+  double area_m2_ = 0.0;  // of the map
   ChainInterval affected_;
   std::vector<int> chosen_;  // chosen and in the affected interval
   std::vector<PoseConstraint> supporting_;

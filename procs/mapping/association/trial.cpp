@@ -14,9 +14,10 @@
 namespace adit {
 namespace {
 
-constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
-constexpr int kFewSteps = 15;      // to an optimum near the poses
-constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
+constexpr double kTurnMax = 0.01;   // of a map, beyond which the field is linearised again [rad]
+constexpr int kLinearisations = 4;  // of the field before the graph is optimised
+constexpr int kFewSteps = 15;       // to an optimum near the poses
+constexpr double kTurnFar = 0.5;    // beyond which iteration may not converge to the optimum [rad]
 
 double largest_turn(const Eigen::VectorXd& mode) {
   double turn = 0.0;
@@ -85,20 +86,21 @@ double Trial::objective() const {
 }
 
 PoseConstraint Trial::chosen_constraint(int loop_closure) const {
-  return in_graph_from(
-      constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure)),
-      hypothesis_, first_);
+  return constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure));
 }
 
-std::vector<PoseConstraint> Trial::chosen_constraints(const std::vector<int>& loop_closures) const {
+std::vector<PoseConstraint> Trial::constraints_in_field(
+    const std::vector<int>& loop_closures) const {
   std::vector<PoseConstraint> constraints;
-  for (const int k : loop_closures) constraints.push_back(chosen_constraint(k));
+  for (const int k : loop_closures) {
+    constraints.push_back(in_graph_from(chosen_constraint(k), hypothesis_, first_));
+  }
   return constraints;
 }
 
 std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<int>& loop_closures,
                                                              const PoseConstraint& query) {
-  return field().leave_one_out(chosen_constraints(loop_closures),
+  return field().leave_one_out(constraints_in_field(loop_closures),
                                in_graph_from(query, hypothesis_, first_));
 }
 
@@ -106,7 +108,7 @@ std::vector<int> Trial::most_coupled(const std::vector<int>& loop_closures,
                                      const PoseConstraint& query, std::size_t most) {
   if (loop_closures.size() <= most) return loop_closures;
   const std::vector<double> couplings = field().couplings(
-      chosen_constraints(loop_closures), in_graph_from(query, hypothesis_, first_));
+      constraints_in_field(loop_closures), in_graph_from(query, hypothesis_, first_));
   std::vector<std::size_t> order(loop_closures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -145,8 +147,18 @@ void Trial::accept(int loop_closure, int alternative) {
   field().add(
       in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
   hypothesis_.chosen[k] = alternative;
-  const double turn = largest_turn(field().mode());
-  if (turn > kTurnMax) reoptimize(turn > kTurnFar);
+  relinearise();
+}
+
+/// Linearises at the mode until it hardly moves, which takes a factorisation for each step.
+void Trial::relinearise() {
+  double turn = largest_turn(field().mode());
+  for (int step = 0; turn > kTurnMax; ++step) {
+    if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
+    hypothesis_ = hypothesis();
+    field_.reset();
+    turn = largest_turn(field().mode());
+  }
 }
 
 void Trial::accept(const std::vector<std::array<int, 2>>& choices, bool from_scratch) {

@@ -33,6 +33,9 @@ class Trial {
     return hypothesis_.chosen[static_cast<std::size_t>(loop_closure)];
   }
 
+  /// The constraint between local maps of a chosen loop closure.
+  [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
+
   /// Adds an undecided loop closure, after it was added to the problem.
   void add_undecided() { hypothesis_.chosen.push_back(Association::kNone); }
 
@@ -40,6 +43,10 @@ class Trial {
   /// the constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
     return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
+  }
+  /// Covariance of the residual of one more constraint, if it is correct.
+  [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) {
+    return field().residual_covariance(in_graph_from(constraint, hypothesis_, first_));
   }
   /// For each of these chosen loop closures, the field without it: the decrease of the objective,
   /// and the increase by `query` then.
@@ -71,11 +78,11 @@ class Trial {
 
  private:
   [[nodiscard]] GaussianField& field();
-  [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
-  [[nodiscard]] std::vector<PoseConstraint> chosen_constraints(
+  [[nodiscard]] std::vector<PoseConstraint> constraints_in_field(
       const std::vector<int>& loop_closures) const;
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;
+  void relinearise();
 
   const AssociationProblem& problem_;
   Hypothesis hypothesis_;  ///< poses and objective after the last optimisation

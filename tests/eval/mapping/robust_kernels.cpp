@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/pose_graph.hpp"
@@ -75,6 +76,49 @@ std::vector<bool> accepted_by_dcs(const PoseGraph& graph) {
     const double s = std::min(1.0, 2.0 / (1.0 + chi));
     return s * s;
   });
+}
+
+namespace {
+
+constexpr double kGncFactor = 1.4;
+constexpr int kGncRoundsMax = 100;
+
+/// Weight of the surrogate of truncated least squares (equation 14 of the paper).
+double truncated_weight(double chi, double mu) {
+  if (chi >= (mu + 1.0) / mu * kChiSquare99) return 0.0;
+  if (chi <= mu / (mu + 1.0) * kChiSquare99) return 1.0;
+  return std::sqrt(kChiSquare99 * mu * (mu + 1.0) / chi) - mu;
+}
+
+bool are_binary(const std::vector<double>& weights) {
+  return std::ranges::all_of(
+      weights, [](double w) { return w > 1.0 - kWeightTolerance || w < kWeightTolerance; });
+}
+
+}  // namespace
+
+std::vector<bool> accepted_by_gnc(const PoseGraph& graph) {
+  PoseGraph weighted = graph;
+  optimize(weighted, {});
+  double largest = 0.0;
+  for (const PoseConstraint& c : graph.constraints) {
+    if (test::is_loop(c)) largest = std::max(largest, chi_square(c, weighted.poses));
+  }
+  if (largest <= kChiSquare99) return std::vector<bool>(graph.constraints.size(), true);
+  double mu = kChiSquare99 / (2.0 * largest - kChiSquare99);
+  std::vector<double> w(graph.constraints.size(), 1.0);
+  for (int round = 0; round < kGncRoundsMax; ++round, mu *= kGncFactor) {
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const PoseConstraint& c = graph.constraints[i];
+      w[i] = test::is_loop(c) ? truncated_weight(chi_square(c, weighted.poses), mu) : 1.0;
+      weighted.constraints[i].information = std::max(w[i], kWeightMin) * c.information;
+    }
+    if (round > 0 && are_binary(w)) break;
+    optimize(weighted, {.rotation_initialization = false, .iterations_max = 20});
+  }
+  std::vector<bool> accepted;
+  for (const double weight : w) accepted.push_back(weight > 0.5);
+  return accepted;
 }
 
 }  // namespace adit

@@ -21,4 +21,9 @@ std::vector<bool> accepted_by_huber(const PoseGraph& graph);
 /// Spinello, Stachniss, Burgard, ICRA 2013).
 std::vector<bool> accepted_by_dcs(const PoseGraph& graph);
 
+/// Graduated non-convexity with truncated least squares, the odometry known to be right (Yang,
+/// Antonante, Tzoumas, Carlone, "Graduated non-convexity for robust spatial perception", RA-L
+/// 2020): accepted are the weights above one half.
+std::vector<bool> accepted_by_gnc(const PoseGraph& graph);
+
 }  // namespace adit

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/pose_graph.hpp"
+#include "tests/support/graphs/generated_graph.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
 
 namespace adit {
@@ -74,9 +75,10 @@ TEST_F(LazyLoopClosures, MayBeGivenInEitherDirection) {
   EXPECT_EQ(back.wrong, forward.wrong);
 }
 
-TEST_F(LazyLoopClosures, AreOrderedByTheirLaterNode) {
+TEST_F(LazyLoopClosures, AreOrderedByTheirLaterNodeInThePapersOrder) {
   std::reverse(graph_.constraints.begin(), graph_.constraints.end());
-  const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
+  const LazyLoopClosuresResult result =
+      associate_loops_lazily(graph_, LazyAssociationParams{.best_first = false});
   int last = 0;
   for (const int k : result.constraint_of_loop_closure) {
     const int later = graph_.constraints[static_cast<std::size_t>(k)].to;
@@ -84,6 +86,36 @@ TEST_F(LazyLoopClosures, AreOrderedByTheirLaterNode) {
     last = later;
   }
   EXPECT_THAT(result.accepted, Each(true));
+}
+
+/// Information may be stated at any scale: smaller, wrong loops fit by chance.
+TEST_F(LazyLoopClosures, EstimateTheNoiseOfTheirMeasurements) {
+  const auto right = std::ssize(graph_.constraints);
+  const auto wrong = test::random_wrong_loops(graph_, 300, 1);
+  for (PoseConstraint& c : graph_.constraints) c.information *= 0.02;
+  auto scaled = wrong;
+  for (PoseConstraint& c : scaled) c.information *= 0.02;
+  const Accepted accepted = accepted_with(scaled);
+  EXPECT_EQ(accepted.wrong, 0);
+  EXPECT_EQ(accepted.right, right);
+}
+
+/// Worlds, drifts and kinds of wrong loops beyond those on which the method was developed.
+TEST(LazyLoopClosuresOfGeneratedGraphs, AreRightForTheMostPart) {
+  long right = 0;
+  long accepted_right = 0;
+  long accepted_wrong = 0;
+  for (std::uint32_t seed = 1001; seed <= 1012; ++seed) {
+    test::GraphScenario scenario = test::random_scenario(seed);
+    scenario.poses = std::min(scenario.poses, 600);
+    const test::LabelledGraph labelled = test::generated_graph(scenario);
+    const auto accepted = associate_loops_lazily(labelled.graph, {}).accepted;
+    right += std::ranges::count(labelled.labels, test::LoopLabel::kRight);
+    accepted_right += test::count_accepted(labelled, accepted, test::LoopLabel::kRight);
+    accepted_wrong += test::count_accepted(labelled, accepted, test::LoopLabel::kWrong);
+  }
+  EXPECT_GT(accepted_right, 0.98 * static_cast<double>(right));
+  EXPECT_LT(accepted_wrong, 0.02 * static_cast<double>(accepted_right));
 }
 
 TEST_F(LazyLoopClosures, ReportProgress) {

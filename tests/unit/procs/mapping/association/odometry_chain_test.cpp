@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "tests/unit/procs/mapping/association/ring_walk.hpp"
@@ -160,45 +161,78 @@ class Draw {
   std::vector<Pose2> truth_;
 };
 
-TEST(Disagreement, OfTwoCorrectLoopClosuresIsChiSquare) {
+TEST(CycleResidual, OfTwoCorrectLoopClosuresIsChiSquare) {
   std::vector<double> values;
   for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
     Draw draw(seed);
     const PoseConstraint a = draw.loop_closure(2, 25);
-    values.push_back(disagreement(draw.odometry, a, draw.loop_closure(8, 29)));
+    values.push_back(cycle_residual(draw.odometry, a, draw.loop_closure(8, 29)).disagreement);
   }
   expect_chi_square(values);
 }
 
-TEST(Disagreement, OfACorrectLoopClosureAndTheOdometryIsChiSquare) {
+TEST(CycleResidual, OfACorrectLoopClosureAndTheOdometryIsChiSquare) {
   std::vector<double> values;
   for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
     Draw draw(seed);
-    values.push_back(disagreement(draw.odometry, draw.loop_closure(1, 28)));
+    values.push_back(cycle_residual(draw.odometry, draw.loop_closure(1, 28)).disagreement);
   }
   expect_chi_square(values);
 }
 
-TEST(Disagreement, IsSymmetric) {
+TEST(CycleResidual, IsSymmetric) {
   Draw draw(1);
   const PoseConstraint a = draw.loop_closure(2, 25);
   const PoseConstraint b = draw.loop_closure(8, 29);
   // Residuals are in different frames: equal up to second order.
-  EXPECT_NEAR(disagreement(draw.odometry, a, b), disagreement(draw.odometry, b, a), 0.1);
+  EXPECT_NEAR(cycle_residual(draw.odometry, a, b).disagreement,
+              cycle_residual(draw.odometry, b, a).disagreement, 0.1);
 }
 
-TEST(Disagreement, GrowsWithTheErrorExceptAlongADegenerateDirection) {
+TEST(CycleResidual, GrowsWithTheErrorExceptAlongADegenerateDirection) {
   Draw draw(1);
   const PoseConstraint a = draw.loop_closure(2, 25);
   PoseConstraint b = draw.loop_closure(3, 26);
   const Pose2 right = b.T_from_to;
   b.T_from_to = right * Pose2{1.0, 0.0, 0.0};
-  EXPECT_GT(disagreement(draw.odometry, a, b), 100.0);
+  EXPECT_GT(cycle_residual(draw.odometry, a, b).disagreement, 100.0);
   b.information(0, 0) = 0.0;
-  EXPECT_LT(disagreement(draw.odometry, a, b), 12.0);  // 99 % of chi-square
-  EXPECT_LT(disagreement(draw.odometry, b), 12.0);
+  EXPECT_LT(cycle_residual(draw.odometry, a, b).disagreement, 12.0);  // 99 % of chi-square
+  EXPECT_LT(cycle_residual(draw.odometry, b).disagreement, 12.0);
   b.T_from_to = right * Pose2{0.0, 1.0, 0.0};
-  EXPECT_GT(disagreement(draw.odometry, a, b), 100.0);
+  EXPECT_GT(cycle_residual(draw.odometry, a, b).disagreement, 100.0);
+}
+
+/// Residuals drawn all over a map of 20 m by 30 m and all headings: the share within the gate.
+TEST(ChanceOfFit, IsTheShareOfRandomResidualsWithinTheGate) {
+  constexpr int kDraws = 200000;
+  constexpr double kGate = 9.0;
+  Eigen::Matrix3d covariance;
+  covariance << 0.5, 0.1, 0.02, 0.1, 0.3, 0.0, 0.02, 0.0, 0.05;
+  const Eigen::Matrix3d information = covariance.inverse();
+  std::mt19937 rng(1);
+  const auto within = [&](double range) {
+    return range * (static_cast<double>(rng()) / 4294967296.0 - 0.5);
+  };
+  int fits = 0;
+  for (int i = 0; i < kDraws; ++i) {
+    const Eigen::Vector3d e(within(20.0), within(30.0), within(2.0 * std::numbers::pi));
+    fits += e.dot(information * e) < kGate ? 1 : 0;
+  }
+  const double share = static_cast<double>(fits) / kDraws;
+  EXPECT_NEAR(chance_of_fit(covariance, kGate, 600.0), share, 5.0 * std::sqrt(share / kDraws));
+  EXPECT_EQ(chance_of_fit(1e6 * covariance, kGate, 600.0), 1.0);
+  EXPECT_EQ(chance_of_fit(covariance, kGate, 0.0), 1.0);
+}
+
+TEST(OdometryChain, KnowsTheAreaAroundAllMaps) {
+  OdometryChain odometry;
+  EXPECT_EQ(odometry.area_m2(), 0.0);
+  odometry.add_map({});
+  odometry.add_map({{3.0, 0.0, 0.5 * std::numbers::pi}, {}});
+  EXPECT_EQ(odometry.area_m2(), 0.0);
+  odometry.add_map({{2.0, 0.0, 0.0}, {}});
+  EXPECT_NEAR(odometry.area_m2(), 6.0, 1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/loop_order.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "procs/mapping/association/odometry_chain.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kIntervals = 300;
+constexpr double kSpread = 2.0;  // of uncertainty among loops decided together
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+Eigen::Vector3d variances(const PoseConstraint& constraint) {
+  return measured_by(constraint).covariance.diagonal();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops)
+    : loops_(std::move(loops)), is_pending_(loops_.size(), true) {
+  for (int axis = 0; axis < 3 && !chain.empty(); ++axis) {
+    std::vector<double> values;
+    for (const PoseConstraint& step : chain) values.push_back(variances(step)[axis]);
+    unit_[axis] = std::max(median(std::move(values)), std::numeric_limits<double>::min());
+  }
+  double total = 0.0;
+  for (const PoseConstraint& step : chain) total += variance_of(step);
+  interval_variance_ = total / kIntervals;
+  double begin = 0.0;  // variance from the first node to the begin of the interval
+  double here = 0.0;
+  interval_.push_back(0);
+  chain_.emplace_back();
+  for (const PoseConstraint& step : chain) {
+    here += variance_of(step);
+    if (here - begin > interval_variance_) {
+      const auto next = static_cast<int>(chain_.size());
+      chain_.emplace_back();
+      link(chain_, next - 1, next, here - begin);
+      begin = here;
+    }
+    interval_.push_back(static_cast<int>(chain_.size()) - 1);
+  }
+}
+
+/// Sum of the variances, each in units of that of a typical step.
+double LoopOrder::variance_of(const PoseConstraint& constraint) const {
+  return variances(constraint).cwiseQuotient(unit_).sum();
+}
+
+void LoopOrder::link(Links& links, int a, int b, double variance) {
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto [at, is_new] = links[static_cast<std::size_t>(from)].try_emplace(to, variance);
+    at->second = std::min(at->second, variance);
+  }
+}
+
+/// Dijkstra's algorithm.
+std::vector<double> LoopOrder::distances_from(const Links& links, int interval) {
+  using Entry = std::pair<double, int>;
+  std::vector<double> distances(links.size(), kFar);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  distances[static_cast<std::size_t>(interval)] = 0.0;
+  queue.emplace(0.0, interval);
+  while (!queue.empty()) {
+    const auto [distance, at] = queue.top();
+    queue.pop();
+    if (distance > distances[static_cast<std::size_t>(at)]) continue;
+    for (const auto& [next, variance] : links[static_cast<std::size_t>(at)]) {
+      double& known = distances[static_cast<std::size_t>(next)];
+      if (distance + variance >= known) continue;
+      known = distance + variance;
+      queue.emplace(known, next);
+    }
+  }
+  return distances;
+}
+
+std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int>& accepted) const {
+  Links links = chain_;
+  for (const int loop : accepted) {
+    const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
+    link(links, interval_of(c.from), interval_of(c.to), variance_of(c));
+  }
+  std::map<int, std::vector<double>> from;  // distances from the intervals of pending loops
+  std::vector<std::pair<double, int>> order;
+  for (int loop = 0; loop < static_cast<int>(loops_.size()); ++loop) {
+    if (!is_pending(loop)) continue;
+    const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
+    const auto [at, is_new] = from.try_emplace(interval_of(c.from));
+    if (is_new) at->second = distances_from(links, interval_of(c.from));
+    order.emplace_back(at->second[static_cast<std::size_t>(interval_of(c.to))], loop);
+  }
+  std::sort(order.begin(), order.end());
+  if (order.size() > most) order.resize(most);
+  std::vector<int> chosen;
+  for (const auto& [distance, loop] : order) {
+    if (distance > kSpread * std::max(order.front().first, interval_variance_)) break;
+    chosen.push_back(loop);
+  }
+  return chosen;
+}
+
+void LoopOrder::take(const std::vector<int>& loops) {
+  for (const int loop : loops) is_pending_[static_cast<std::size_t>(loop)] = false;
+}
+
+}  // namespace adit

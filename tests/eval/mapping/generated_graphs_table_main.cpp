@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// generated_graphs_table: compares methods of loop closure selection on generated pose graphs with
+// wrong loop closures and known truth, one row per seed and method, as CSV.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "tests/eval/mapping/robust_kernels.hpp"
+#include "tests/support/graphs/generated_graph.hpp"
+
+namespace adit {
+namespace {
+
+using test::LabelledGraph;
+using test::LoopLabel;
+
+struct Method {
+  const char* name;
+  std::function<std::vector<bool>(const LabelledGraph&)> accept;
+};
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = {
+      {"truth",
+       [](const LabelledGraph& l) {
+         std::vector<bool> accepted;
+         for (const LoopLabel label : l.labels) accepted.push_back(label != LoopLabel::kWrong);
+         return accepted;
+       }},
+      {"lazy", [](const LabelledGraph& l) { return associate_loops_lazily(l.graph, {}).accepted; }},
+      {"gnc", [](const LabelledGraph& l) { return accepted_by_gnc(l.graph); }},
+      {"dcs", [](const LabelledGraph& l) { return accepted_by_dcs(l.graph); }}};
+  return all;
+}
+
+double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double rmse_m(const LabelledGraph& labelled, const std::vector<bool>& accepted) {
+  PoseGraph graph = labelled.graph;
+  optimize_accepted(graph, accepted);
+  return test::rmse_m(labelled, graph.poses);
+}
+
+void print_row(const test::GraphScenario& scenario, const LabelledGraph& labelled,
+               const Method& method) {
+  const double begin = cpu_s();
+  const std::vector<bool> accepted = method.accept(labelled);
+  const double took_s = cpu_s() - begin;
+  const auto count = [&](LoopLabel label) {
+    return static_cast<int>(std::count(labelled.labels.begin(), labelled.labels.end(), label));
+  };
+  std::printf("%u,%s,%s,%zu,%d,%d,%.4f,%s,%d,%d,%.3f,%.2f\n", scenario.seed,
+              test::text(scenario.world).c_str(), test::text(scenario.wrong).c_str(),
+              labelled.graph.poses.size(), count(LoopLabel::kRight), count(LoopLabel::kWrong),
+              scenario.drift, method.name,
+              test::count_accepted(labelled, accepted, LoopLabel::kRight),
+              test::count_accepted(labelled, accepted, LoopLabel::kWrong),
+              rmse_m(labelled, accepted), took_s);
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  CLI::App app("Compares selection methods on generated pose graphs, as CSV");
+  std::uint32_t first = 1;
+  std::uint32_t count = 200;
+  std::uint32_t step = 1;
+  std::vector<std::string> only = {"truth", "lazy"};
+  int poses = 0;
+  int right = 0;
+  double wrong_share = -1.0;
+  app.add_option("--first", first, "First seed")->capture_default_str();
+  app.add_option("--count", count, "Number of seeds")->capture_default_str();
+  app.add_option("--step", step, "Difference of seeds")->capture_default_str();
+  app.add_option("--only", only, "Methods: truth, lazy, gnc, dcs")->capture_default_str();
+  app.add_option("--poses", poses, "Number of poses (default: drawn)");
+  app.add_option("--right", right, "Number of right loop closures (default: drawn)");
+  app.add_option("--wrong-share", wrong_share, "Share of wrong loop closures (default: drawn)");
+  CLI11_PARSE(app, argc, argv);
+  std::cout << "seed,world,wrong loops,poses,right,wrong,drift,method,right accepted,"
+               "wrong accepted,RMSE (m),CPU (s)"
+            << std::endl;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    adit::test::GraphScenario scenario = adit::test::random_scenario(first + i * step);
+    if (poses > 0) scenario.poses = poses;
+    if (right > 0) scenario.right = right;
+    if (wrong_share >= 0.0) scenario.wrong_share = wrong_share;
+    const adit::test::LabelledGraph labelled = adit::test::generated_graph(scenario);
+    for (const adit::Method& method : adit::methods()) {
+      if (std::find(only.begin(), only.end(), method.name) == only.end()) continue;
+      adit::print_row(scenario, labelled, method);
+    }
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "generated_graphs_table: " << error.what() << "\n";
+  return 2;
+}

@@ -34,16 +34,22 @@ void add_times(const CarmenLine& line, TimeJudge& judge) {
   }
 }
 
-/// The times of a log. A line that repeats the previous one tells nothing about the clock.
+bool has_time(const CarmenLine& line) {
+  const auto* scan = std::get_if<CarmenScan>(&line);
+  return scan != nullptr && scan->times.measured_utime > 0;
+}
+
+/// The times of a log. A scan that was written twice tells nothing about the clock.
 TimeChoice judged_times(const std::filesystem::path& path,
                         const std::function<void(double)>& progress) {
   GzipLineReader source(path);
   TimeJudge judge;
   std::string previous;
   while (const auto line = source.next()) {
-    if (line->text == previous) continue;
+    const CarmenLine parsed = parse_carmen_line(line->text);
+    const bool repeated = line->text == previous && has_time(parsed);
     previous = line->text;
-    add_times(parse_carmen_line(previous), judge);
+    if (!repeated) add_times(parsed, judge);
     if (progress) progress(source.fraction_read());
   }
   return judge.choose();

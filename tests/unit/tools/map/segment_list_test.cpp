@@ -30,7 +30,7 @@ class SegmentListTest : public testing::Test {
 
 TEST_F(SegmentListTest, JoinsSegmentsOfOneKindThatAreClose) {
   add(10, Seen::kDegenerate);
-  add(15, Seen::kAll);  // 1.5 m
+  add(10, Seen::kAll);  // 1 m
   add(5, Seen::kLost);
   add(10, Seen::kDegenerate);
   ASSERT_EQ(list_.segments().size(), 2U);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/files/mapped_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
@@ -41,6 +42,14 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     close(file);
     fail(path, error.code().value());
   }
+}
+
+void MappedFile::release(std::size_t from, std::size_t to) const {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t start = (from + page - 1) / page * page;
+  const std::size_t end = std::min(to, bytes_.size()) / page * page;
+  if (start >= end) return;
+  madvise(const_cast<std::uint8_t*>(bytes_.data()) + start, end - start, MADV_DONTNEED);
 }
 
 MappedFile::~MappedFile() {

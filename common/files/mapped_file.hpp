@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -17,6 +18,10 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
 
   [[nodiscard]] std::span<const std::uint8_t> bytes() const { return bytes_; }
+
+  /// Drops the resident pages between two offsets, for a reader that has passed them, so that a
+  /// file of any length takes little memory. The bytes stay valid: a page is read again on access.
+  void release(std::size_t from, std::size_t to) const;
 
  private:
   std::span<const std::uint8_t> bytes_;

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "common/bus/log/event_source.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/config/config.hpp"
 #include "common/pose_graph/g2o_file.hpp"
@@ -23,6 +24,7 @@
 namespace adit {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -302,6 +304,36 @@ TEST_F(MapRun, ReportsALogWithoutScans) {
   EXPECT_THAT(failure(at("no_scan.lcmlog")), HasSubstr("no usable laser scan in "));
   const auto carmen = write("no_scan.log", "ODOM 0 0 0 0 0 0 5 h 5\n");
   EXPECT_THAT(failure(carmen), HasSubstr("no usable laser scan in "));
+  EXPECT_FALSE(std::filesystem::exists(at("map")));
+}
+
+TEST_F(MapRun, UsesTheTimesOfTheLoggerIfAllMessagesHaveTimeZero) {
+  const Trajectory truth = write_sample("sample.lcmlog", 20.0);
+  LogWriter writer(at("zero.lcmlog"));
+  LogReader reader(at("sample.lcmlog"));
+  while (const auto event = reader.next()) {
+    std::vector<std::uint8_t> bytes(event->data.begin(), event->data.end());
+    std::fill_n(bytes.begin() + 8, 8, 0);  // utime, after the fingerprint
+    writer.write({event->utime, event->channel, bytes});
+  }
+  writer.close();
+  const MapRunResult result = map(at("zero.lcmlog"), "map");
+  EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("times of the logger are used: ")));
+  const Trajectory trajectory = read_tum(at("map/trajectory.tum"));
+  ASSERT_EQ(trajectory.size(), truth.size());
+  EXPECT_LT(max_error_m(trajectory, truth), 0.1);  // as with the times of measurement
+  const auto summary = nlohmann::json::parse(contents("map/summary.json"));
+  EXPECT_EQ(summary.at("times").at("source"), "logger");
+}
+
+TEST_F(MapRun, SaysWhyNextToNothingOfALogIsUsable) {
+  write_sample("sample.log", 1.0);
+  std::string text = contents("sample.log");
+  for (int i = 0; i < 1000; ++i) text += "FLASER 3 1 x 1\n";
+  const std::string error = failure(write("bad.log", text));
+  EXPECT_THAT(error, HasSubstr("too few usable laser scans in "));
+  EXPECT_THAT(error, HasSubstr("malformed number"));
+  EXPECT_EQ(error.find('\n'), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(at("map")));
 }
 

@@ -3,6 +3,7 @@
 #include "tools/carmen/carmen_import.hpp"
 
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "common/bus/channels.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/sensing.hpp"
+#include "tools/log_times/reorder_buffer.hpp"
 
 namespace adit {
 namespace {
@@ -21,13 +23,25 @@ struct ReadingWriter {
   void operator()(const CarmenScan& scan) const { write_reading(log, scan.scan); }
 };
 
+std::int64_t utime_of(const CarmenRecord& record) {
+  if (const auto* scan = std::get_if<CarmenScan>(&record)) return scan->scan.utime;
+  return std::get<WheelOdometry>(record).utime;
+}
+
+/// The first pass, which judges the times, takes this share of the progress.
+constexpr double kJudgedShare = 0.4;
+
 void copy_readings(CarmenReader& reader, const std::filesystem::path& lcm_log,
                    const std::function<void(double)>& progress) {
   LogWriter log(lcm_log);
-  while (const auto record = reader.next()) {
-    std::visit(ReadingWriter{log}, *record);
-    progress(reader.fraction_read());
+  ReorderBuffer<CarmenRecord> in_order(
+      [&](const CarmenRecord& record) { std::visit(ReadingWriter{log}, record); });
+  while (auto record = reader.next()) {
+    const std::int64_t utime = utime_of(*record);
+    in_order.add(utime, std::move(*record));
+    progress(kJudgedShare + (1.0 - kJudgedShare) * reader.fraction_read());
   }
+  in_order.flush();
   log.close();
 }
 
@@ -51,7 +65,7 @@ CarmenReport import_carmen(const std::filesystem::path& carmen_log,
     throw std::runtime_error(
         fmt::format("input and output are the same file: {}", lcm_log.string()));
   }
-  CarmenReader reader(carmen_log);
+  CarmenReader reader(carmen_log, [&](double read) { progress(kJudgedShare * read); });
   copy_readings(reader, lcm_log, progress);
   const CarmenReport& report = reader.report();
   if (report.scans + report.odometry_lines == 0) {

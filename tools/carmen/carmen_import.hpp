@@ -15,9 +15,10 @@ namespace adit {
 void write_reading(LogWriter& log, const LaserScan& scan);
 void write_reading(LogWriter& log, const WheelOdometry& odometry);
 
-/// Converts a CARMEN log to an LCM log of this project and reports its contents. `progress`
-/// receives the completed fraction after each record. Throws std::runtime_error if a file cannot be
-/// read or written, or if the log has no valid reading; in that case no output remains.
+/// Converts a CARMEN log to an LCM log of this project, in order of time, and reports its contents.
+/// `progress` receives the completed fraction after each record. Throws std::runtime_error if a
+/// file cannot be read or written, or if the log has no valid reading; in that case no output
+/// remains.
 CarmenReport import_carmen(const std::filesystem::path& carmen_log,
                            const std::filesystem::path& lcm_log,
                            const std::function<void(double)>& progress);

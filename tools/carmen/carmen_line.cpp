@@ -90,21 +90,24 @@ Pose2 read_pose(Tokens& tokens) {
   return {x, y, theta};
 }
 
-/// Reads the end of a line, `time host time`; the second timestamp is that of the logger.
-std::int64_t read_timestamps(Tokens& tokens) {
-  const double seconds = tokens.finite();
-  tokens.skip(1);
-  tokens.finite();
-  if (!tokens.next().empty()) throw ParseError{"excess tokens at the end of the line"};
-  if (seconds > kLatestTimeSeconds) throw ParseError{"implausible timestamp"};
-  const std::int64_t utime = seconds > 0.0 ? std::llround(seconds * 1e6) : 0;
-  if (utime == 0) throw ParseError{"timestamp not positive"};
-  return utime;
+std::int64_t utime_of(double seconds) {
+  return seconds > 0.0 && seconds <= kLatestTimeSeconds ? std::llround(seconds * 1e6) : 0;
 }
 
-void set_utime(CarmenScan& scan, std::int64_t utime) {
-  scan.scan.utime = utime;
-  scan.odometry.utime = utime;
+/// Reads the end of a line, `time host time`; the second timestamp is that of the logger.
+RecordedTimes read_timestamps(Tokens& tokens) {
+  const double seconds = tokens.finite();
+  tokens.skip(1);
+  const double logged_seconds = tokens.finite();
+  if (!tokens.next().empty()) throw ParseError{"excess tokens at the end of the line"};
+  if (seconds > kLatestTimeSeconds) throw ParseError{"implausible timestamp"};
+  return {utime_of(seconds), utime_of(logged_seconds)};
+}
+
+void set_times(CarmenScan& scan, const RecordedTimes& times) {
+  scan.times = times;
+  scan.scan.utime = times.measured_utime;
+  scan.odometry.utime = times.measured_utime;
 }
 
 CarmenScan read_flaser(Tokens& tokens) {
@@ -116,7 +119,7 @@ CarmenScan read_flaser(Tokens& tokens) {
   result.scan.angle_step_rad = std::numbers::pi / static_cast<double>(steps);
   result.T_log_laser = read_pose(tokens);
   result.odometry.T_wheel_body = read_pose(tokens);
-  set_utime(result, read_timestamps(tokens));
+  set_times(result, read_timestamps(tokens));
   return result;
 }
 
@@ -133,15 +136,16 @@ CarmenScan read_robotlaser(Tokens& tokens) {
   result.T_log_laser = read_pose(tokens);
   result.odometry.T_wheel_body = read_pose(tokens);
   tokens.skip(5);  // speeds, safety distances, turn axis
-  set_utime(result, read_timestamps(tokens));
+  set_times(result, read_timestamps(tokens));
   return result;
 }
 
-WheelOdometry read_odom(Tokens& tokens) {
-  WheelOdometry result;
-  result.T_wheel_body = read_pose(tokens);
+CarmenOdometry read_odom(Tokens& tokens) {
+  CarmenOdometry result;
+  result.odometry.T_wheel_body = read_pose(tokens);
   tokens.skip(3);  // speeds, acceleration
-  result.utime = read_timestamps(tokens);
+  result.times = read_timestamps(tokens);
+  result.odometry.utime = result.times.measured_utime;
   return result;
 }
 
@@ -155,7 +159,7 @@ CarmenLine parse_carmen_line(std::string_view line) {
     if (kind == "ROBOTLASER1") return read_robotlaser(tokens);
     if (kind == "ODOM") return read_odom(tokens);
   } catch (const ParseError& parse_error) {
-    return CarmenError{parse_error.reason};
+    return CarmenError{parse_error.reason, kind != "ODOM"};
   }
   return CarmenIgnored{};
 }

@@ -9,15 +9,24 @@
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/vehicle_readings.hpp"
+#include "tools/log_times/time_choice.hpp"
 
 namespace adit {
 
-/// A FLASER or ROBOTLASER1 line. Times are the first timestamp of the line, which the publisher of
-/// the reading sets; poses are in the frame of the log.
+/// A FLASER or ROBOTLASER1 line. Times of scan and odometry are the first timestamp of the line,
+/// which the publisher of the reading sets, 0 if it is not positive; poses are in the frame of the
+/// log.
 struct CarmenScan {
   LaserScan scan;
-  Pose2 T_log_laser;       ///< laser pose in the line; some public logs contain corrected poses
-  WheelOdometry odometry;  ///< pose of the robot at the time of the scan
+  Pose2 T_log_laser;         ///< laser pose in the line; some public logs contain corrected poses
+  WheelOdometry odometry;    ///< pose of the robot at the time of the scan
+  RecordedTimes times = {};  ///< both timestamps of the line
+};
+
+/// An ODOM line, with the first timestamp.
+struct CarmenOdometry {
+  WheelOdometry odometry;
+  RecordedTimes times;
 };
 
 /// An empty line or one of another kind: a comment, a parameter, another sensor.
@@ -26,9 +35,10 @@ struct CarmenIgnored {};
 /// A malformed line of a supported kind. The reason is one of a few fixed texts.
 struct CarmenError {
   std::string_view reason;
+  bool scan = false;  ///< a line of a laser
 };
 
-using CarmenLine = std::variant<CarmenScan, WheelOdometry, CarmenIgnored, CarmenError>;
+using CarmenLine = std::variant<CarmenScan, CarmenOdometry, CarmenIgnored, CarmenError>;
 
 /// Parses one line of a CARMEN log. Malformed lines give CarmenError; the function does not throw.
 ///   FLASER n r₁…rₙ x y θ  odom_x odom_y odom_θ  time host time

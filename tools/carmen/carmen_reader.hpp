@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "tools/carmen/carmen_line.hpp"
 #include "tools/carmen/gzip_line_reader.hpp"
+#include "tools/log_times/time_assignment.hpp"
 
 namespace adit {
 
@@ -31,7 +33,9 @@ struct CarmenReport {
   std::size_t lines = 0;
   std::size_t scans = 0;
   std::size_t odometry_lines = 0;
+  std::size_t rejected_scans = 0;  ///< FLASER and ROBOTLASER1 lines
   std::vector<Rejected> rejected;  ///< in the order of first occurrence
+  TimeChoice times;                ///< the times that the readings have
 
   [[nodiscard]] std::size_t rejected_lines() const;
   /// One text per reason: "lines 155, 177, 196 and 858 more: timestamp not positive".
@@ -52,10 +56,13 @@ class TimestampFilter {
 
 /// Reads a CARMEN log, plain or gzip, line by line in constant memory. The odometry in the line of
 /// a scan precedes the scan. Malformed lines and the damaged part of a gzip file are skipped and
-/// reported. Throws std::runtime_error if the file cannot be opened.
+/// reported. A first pass judges the times (TimeJudge); all readings have the chosen ones. Throws
+/// std::runtime_error if the file cannot be opened.
 class CarmenReader {
  public:
-  explicit CarmenReader(const std::filesystem::path& path);
+  /// `progress` is called in the first pass with the fraction of the file that has been read.
+  explicit CarmenReader(const std::filesystem::path& path,
+                        const std::function<void(double)>& progress = {});
 
   /// The next record, or nothing at the end of the log.
   std::optional<CarmenRecord> next();
@@ -66,11 +73,13 @@ class CarmenReader {
 
  private:
   std::optional<CarmenRecord> accept(CarmenLine line);
-  std::optional<CarmenRecord> accept_odometry(const WheelOdometry& odometry);
+  std::optional<CarmenRecord> accept_odometry(CarmenOdometry line);
   std::optional<CarmenRecord> accept_scan(CarmenScan scan);
+  bool accept_time(std::int64_t utime);
   void reject(std::string_view reason);
 
   GzipLineReader source_;
+  TimeAssignment times_;
   TimestampFilter timestamps_;
   CarmenReport report_;
   std::optional<CarmenScan> pending_;  // follows its odometry

@@ -10,7 +10,10 @@
 
 #include "common/bus/channels.hpp"
 #include "common/messages/codec.hpp"
+#include "common/messages/sensing.hpp"
 #include "tools/carmen/carmen_import.hpp"
+#include "tools/log_times/time_assignment.hpp"
+#include "tools/map/reading_times.hpp"
 
 namespace adit {
 namespace {
@@ -23,6 +26,53 @@ std::vector<std::string> log_warnings(const LogHealth& health) {
   }
   if (health.truncated_bytes > 0) warnings.emplace_back("the last event, which is truncated");
   return warnings;
+}
+
+/// What the first pass over an LCM log finds.
+struct LogSurvey {
+  std::size_t events = 0;
+  std::size_t scans = 0;
+  bool in_order = true;  ///< by the times of recording
+  bool logged_usable = true;
+  LogHealth health;
+  TimeChoice times;
+  std::optional<Lasers> lasers;
+  std::vector<std::string> config_warnings;
+};
+
+LogSurvey survey(const std::filesystem::path& path, const std::function<void(double)>& progress) {
+  LogSurvey found;
+  LogReader reader(path);
+  TimeJudge judge;
+  std::int64_t latest = 0;
+  while (const auto event = reader.next()) {
+    ++found.events;
+    if (laser_from_channel(event->channel)) ++found.scans;
+    found.in_order = found.in_order && event->utime >= latest;
+    latest = event->utime;
+    add_times(*event, judge);
+    if (!found.lasers) found.lasers = recorded_lasers(*event, found.config_warnings);
+    progress(reader.fraction_read());
+  }
+  if (found.events == 0 && !reader.empty()) {
+    throw std::runtime_error(path.string() + ": not an LCM log");
+  }
+  found.health = reader.health();
+  found.times = judge.choose();
+  found.logged_usable = judge.logged_usable();
+  return found;
+}
+
+/// Gives each event its time for replay: a reading the chosen one, another event that of recording
+/// or, if times are assumed, that of the reading before it.
+LogFile::TimeOf replay_time(const TimeChoice& times) {
+  return [assignment = TimeAssignment(times),
+          latest = times.start_utime](const LogEventView& event) mutable {
+    const bool by_order = assignment.choice().source == TimeChoice::Source::kOrder;
+    if (!is_reading(event)) return by_order ? latest : event.utime;
+    const std::int64_t utime = assignment.next(event.channel, recorded_times(event));
+    return latest = utime > 0 ? utime : event.utime;
+  };
 }
 
 }  // namespace
@@ -41,26 +91,57 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
                    const std::function<void(double)>& progress) {
   if (!std::ifstream(path)) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   if (is_lcm_log(path)) {
-    log_ = std::make_unique<LogFile>(path);
-    warnings_ = log_warnings(log_->health());
+    open_lcm_log(path, progress);
   } else {
-    warnings_ = import_carmen(path, scratch, progress).messages();
-    log_ = std::make_unique<LogFile>(scratch);
+    const CarmenReport report = import_carmen(path, scratch, progress);
+    open_lcm_log(scratch, progress);
     std::filesystem::remove(scratch);  // the open file stays readable
+    warnings_ = report.messages();
+    times_ = report.times;
+    scans_ = report.scans + report.rejected_scans;
   }
+}
+
+void LogInput::open_lcm_log(const std::filesystem::path& path,
+                            const std::function<void(double)>& progress) {
+  LogSurvey found = survey(path, progress);
+  warnings_ = log_warnings(found.health);
+  lasers_ = found.lasers;
+  config_warnings_ = std::move(found.config_warnings);
+  times_ = found.times;
+  scans_ = found.scans;
+  const bool as_measured = times_.source == TimeChoice::Source::kMeasured;
+  if (as_measured && found.logged_usable && times_.late == 0) {
+    if (found.in_order) {
+      events_ = std::make_unique<LogStream>(path, found.events);
+    } else {
+      events_ = std::make_unique<LogFile>(path);
+    }
+    return;
+  }
+  events_ = std::make_unique<LogFile>(path, replay_time(times_));
+  if (!as_measured) events_ = std::make_unique<RestampedEvents>(std::move(events_));
+}
+
+std::optional<Lasers> LogInput::recorded_lasers(std::vector<std::string>& warnings) const {
+  warnings.insert(warnings.end(), config_warnings_.begin(), config_warnings_.end());
+  return lasers_;
+}
+
+std::optional<Lasers> recorded_lasers(const LogEventView& event,
+                                      std::vector<std::string>& warnings) {
+  if (event.channel != channels::kConfig) return std::nullopt;
+  const auto message = decode<config_t>(event.data);
+  if (!message) return std::nullopt;
+  const auto snapshot = from_message(*message);
+  if (!snapshot) return std::nullopt;
+  return recorded_section<Lasers>(*snapshot, Lasers::kSection, warnings);
 }
 
 std::optional<Lasers> recorded_lasers(std::span<const LogEventView> events,
                                       std::vector<std::string>& warnings) {
   for (const LogEventView& event : events) {
-    if (event.channel != channels::kConfig) continue;
-    const auto message = decode<config_t>(event.data);
-    if (!message) continue;
-    const auto snapshot = from_message(*message);
-    if (!snapshot) continue;
-    if (auto lasers = recorded_section<Lasers>(*snapshot, Lasers::kSection, warnings)) {
-      return lasers;
-    }
+    if (auto lasers = recorded_lasers(event, warnings)) return lasers;
   }
   return std::nullopt;
 }

@@ -18,29 +18,42 @@
 #include "common/config/config.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/sensing/laser_mount.hpp"
+#include "tools/log_times/time_choice.hpp"
 
 namespace adit {
 
 /// Whether the file is an LCM log, by its first bytes or its extension.
 bool is_lcm_log(const std::filesystem::path& file);
 
-/// An LCM or CARMEN log for replay.
+/// An LCM or CARMEN log for replay, in order of time and with usable times (TimeJudge). A log in
+/// order is read in constant memory, another one with an index of its events.
 class LogInput {
  public:
   /// Opens an LCM log, or converts a CARMEN log (plain or gzip) to an LCM log in `scratch` first.
-  /// `progress` is called during the conversion. Throws std::runtime_error for an unusable file.
+  /// `progress` is called meanwhile. Throws std::runtime_error for an unusable file.
   LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,
            const std::function<void(double)>& progress);
 
-  [[nodiscard]] EventSource& events() { return *log_; }
-  /// All events, independent of the read position of `events()`.
-  [[nodiscard]] std::span<const LogEventView> all_events() const { return log_->events(); }
+  [[nodiscard]] EventSource& events() { return *events_; }
+  /// Laser mounts of the first CONFIG that has them; nothing if none has. An unreadable CONFIG adds
+  /// a warning.
+  [[nodiscard]] std::optional<Lasers> recorded_lasers(std::vector<std::string>& warnings) const;
+  /// The times that the readings have.
+  [[nodiscard]] const TimeChoice& times() const { return times_; }
+  /// Scans in the log, with those that cannot be used.
+  [[nodiscard]] std::size_t scans() const { return scans_; }
   /// Skipped parts of the log, without a verb: "12 corrupt bytes in 1 place".
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
+  void open_lcm_log(const std::filesystem::path& path, const std::function<void(double)>& progress);
+
   std::vector<std::string> warnings_;
-  std::unique_ptr<LogFile> log_;
+  std::optional<Lasers> lasers_;
+  std::vector<std::string> config_warnings_;
+  TimeChoice times_;
+  std::size_t scans_ = 0;
+  std::unique_ptr<EventSource> events_;
 };
 
 /// A section of a recorded CONFIG; nothing if it has no such section. A CONFIG that cannot be read
@@ -62,8 +75,10 @@ std::optional<Params> recorded_section(const ConfigSnapshot& snapshot, const std
   }
 }
 
-/// Laser mounts of the first CONFIG in a log that has them; nothing if none has. An unreadable
-/// CONFIG adds a warning.
+/// Laser mounts of an event if it is a CONFIG that has them. An unreadable CONFIG adds a warning.
+std::optional<Lasers> recorded_lasers(const LogEventView& event,
+                                      std::vector<std::string>& warnings);
+/// Those of the first event that has them; nothing if none has.
 std::optional<Lasers> recorded_lasers(std::span<const LogEventView> events,
                                       std::vector<std::string>& warnings);
 

@@ -81,25 +81,11 @@ std::vector<Edge> revoked_edges(const FullMap& map) {
   return edges;
 }
 
-/// Times of scans of this run that did not observe all motion, ascending.
-std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
-  std::vector<std::int64_t> times;
-  for (const ScanMatch& match : record.matches()) {
-    if (is_unobserved(match)) times.push_back(match.utime);
-  }
-  return times;
-}
-
 /// Marks the poses of this run, the last path, where motion was not fully observed.
-void mark_unobserved(const FullMap& map, const RunRecord& record, MapPicture& picture) {
-  const auto unobserved = unobserved_times(record);
-  for (const Trajectory& path : map.paths) {
-    const bool of_this_run = &path == &map.paths.back();
-    for (const TimedPose& pose : path) {
-      picture.degenerate.push_back(
-          of_this_run && std::binary_search(unobserved.begin(), unobserved.end(), pose.utime));
-    }
-  }
+void mark_unobserved(const RunRecord& record, MapPicture& picture) {
+  const std::vector<bool>& unobserved = record.unobserved();
+  picture.degenerate.assign(picture.path.size() - unobserved.size(), false);
+  picture.degenerate.insert(picture.degenerate.end(), unobserved.begin(), unobserved.end());
 }
 
 }  // namespace
@@ -163,7 +149,7 @@ bool write_map_files(const FullMap& map, const RunRecord& record, const MapFiles
   if (!insert_scans(map, options.lasers, grid)) return false;
   write_map_server(grid, folder, "map");
   MapPicture picture = map_picture(map, options.title);
-  mark_unobserved(map, record, picture);
+  mark_unobserved(record, picture);
   if (options.draw_graph) picture.graph = graph_picture(map);
   write_map_png(grid, picture, folder / "map.png");
   return true;

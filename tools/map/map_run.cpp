@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/replay_bus.hpp"
@@ -32,6 +33,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kGridSection =
     "map_grid";                                  // of this tool, in addition to those of the stages
+constexpr double kMatchedShareMin = 0.1;         // of the scans in the log, for a map
 constexpr const char* kJournal = "map.journal";  // of mapping: file of the results, name in CONFIG
 
 ConfigFile load_config(const std::filesystem::path& path) {
@@ -47,7 +49,7 @@ ConfigFile load_config(const std::filesystem::path& path) {
 Lasers find_lasers(const ConfigFile& config, const LogInput& input,
                    std::vector<std::string>& warnings) {
   if (config.section(Lasers::kSection) == nullptr) {
-    if (const auto recorded = recorded_lasers(input.all_events(), warnings)) return *recorded;
+    if (const auto recorded = input.recorded_lasers(warnings)) return *recorded;
   }
   return load_section<Lasers>(config, Lasers::kSection);
 }
@@ -109,13 +111,39 @@ MapFilesOptions map_files_options(const ConfigFile& config, const Lasers& lasers
           load_section<OccupancyGridParams>(config, kGridSection), lasers, options.draw_graph};
 }
 
-/// Throws std::runtime_error if the run has no scans or, when it resumes a map, no local map of its
-/// own session: mapping first completes the last local map of the earlier run.
-void require_result(const RunRecord& record, const StoredMap& earlier,
-                    const MapRunOptions& options) {
-  if (record.matches().empty()) {
+/// Throws std::runtime_error if next to none of the scans in the log could be matched: what comes
+/// out would look like a map of a place where the robot has not been.
+void require_matches(const RunRecord& record, const LogInput& input, const MapRunOptions& options) {
+  const RunRecord::Counts& counts = record.counts();
+  const std::size_t scans = std::max(input.scans(), counts.with_pose + counts.rejected);
+  if (counts.with_pose == 0 && counts.rejected == 0 && input.warnings().empty()) {
     throw std::runtime_error(fmt::format("no usable laser scan in {}", options.input.string()));
   }
+  if (counts.with_pose > 0 &&
+      static_cast<double>(counts.matched) >= kMatchedShareMin * static_cast<double>(scans - 1)) {
+    return;
+  }
+  std::vector<std::string> reasons;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) reasons.push_back(fmt::format("{} {}", count, what));
+  };
+  add(counts.rejected, "have a time that does not advance");
+  add(counts.lost, "do not match those before");
+  add(scans - counts.with_pose - counts.rejected, "are malformed or have no usable time");
+  for (const std::string& warning : input.warnings()) reasons.push_back(warning);
+  if (const std::string times = input.times().text(); !times.empty()) reasons.push_back(times);
+  throw std::runtime_error(
+      fmt::format("{} in {}: {} of {} scans matched; {}",
+                  counts.with_pose == 0 ? "no usable laser scan" : "too few usable laser scans",
+                  options.input.string(), counts.matched, scans, fmt::join(reasons, "; ")));
+}
+
+/// Throws std::runtime_error if next to none of the scans were matched or, when the run resumes a
+/// map, it has no local map of its own session: mapping first completes the last local map of the
+/// earlier run.
+void require_result(const RunRecord& record, const LogInput& input, const StoredMap& earlier,
+                    const MapRunOptions& options) {
+  require_matches(record, input, options);
   const auto& maps = record.local_maps();
   const bool has_own_map = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
     return earlier.maps.empty() || map.session > earlier.maps.back().session;
@@ -131,6 +159,7 @@ std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus
   for (const std::string& warning : input.warnings()) {
     warnings.push_back(fmt::format("skipped {}", warning));
   }
+  if (const std::string times = input.times().text(); !times.empty()) warnings.push_back(times);
   if (bus.rejected_events() > 0) {
     warnings.push_back(
         fmt::format("skipped {} events with implausible times", bus.rejected_events()));
@@ -140,11 +169,8 @@ std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus
 
 MapRunResult result_of(const RunRecord& record, const FullMap& map) {
   MapRunResult result;
-  const auto& matches = record.matches();
-  result.scans = matches.size();
-  result.lost = static_cast<std::size_t>(std::count_if(
-      matches.begin(), matches.end(),
-      [](const ScanMatch& match) { return match.status == ScanMatch::Status::kLost; }));
+  result.scans = record.counts().with_pose;
+  result.lost = record.counts().lost;
   result.path_length_m = distance_travelled_m(record.odometry(), kTravelStepM);
   result.local_maps = map.local_maps.size();
   result.loop_closures = count_loop_closures(map).accepted;
@@ -180,7 +206,7 @@ MapRunResult run_map(const MapRunOptions& options,
   bus.run([&](double done) { progress("mapping", done); });
   log.close();
 
-  require_result(record, earlier, options);
+  require_result(record, input, earlier, options);
   const FullMap map = full_map(earlier, record);
   MapRunResult result = result_of(record, map);
   result.warnings = collect_warnings(input, bus);
@@ -198,7 +224,7 @@ MapRunResult run_map(const MapRunOptions& options,
   cost.local_map_ms = milliseconds(mapping_stopwatch, true);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   result.wall_s = cost.wall_s;
-  write_text_file(summary_json(record, map, cost), folder / "summary.json");
+  write_text_file(summary_json(record, map, input.times(), cost), folder / "summary.json");
   results.publish();
   return result;
 }

@@ -20,23 +20,6 @@ constexpr std::size_t kQueued = 1000;
 constexpr double kTailStepM = 0.1;  // as for the scans of a local map
 constexpr double kTailStepRad = 0.1;
 
-/// Kind of a segment.
-struct Kind {
-  bool lost;
-  bool filled;
-  friend bool operator==(const Kind&, const Kind&) = default;
-};
-
-/// Nothing for a scan that observed all motion.
-std::optional<Kind> kind_of(const ScanMatch& match) {
-  if (match.status == ScanMatch::Status::kLost) return Kind{true, false};
-  if (match.degenerate.empty()) return std::nullopt;
-  const bool filled =
-      std::none_of(match.degenerate.begin(), match.degenerate.end(),
-                   [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
-  return Kind{false, filled};
-}
-
 }  // namespace
 
 void MapSubscription::subscribe(Bus& bus, Handlers handlers) {
@@ -78,10 +61,16 @@ void RunRecord::on_match(const ScanMatch& match) {
   const auto scan = last_scan_.find(match.channel);
   const bool has_scan = scan != last_scan_.end() && scan->second.utime == match.utime;
   if (match.status == ScanMatch::Status::kRejected || !has_scan) {
-    ++rejected_;
+    ++counts_.rejected;
     return;
   }
-  matches_.push_back(match);
+  ++counts_.with_pose;
+  counts_.matched += match.status == ScanMatch::Status::kMatched ? 1U : 0U;
+  counts_.lost += match.status == ScanMatch::Status::kLost ? 1U : 0U;
+  counts_.searched += match.searched ? 1U : 0U;
+  counts_.degenerate += match.degenerate.empty() ? 0U : 1U;
+  add_pose(match);
+  segments_.add(match);
   if (match.status != ScanMatch::Status::kLost && is_far_from_tail(match)) {
     tail_.push_back({scan->second, match});
   }
@@ -101,33 +90,16 @@ bool RunRecord::is_far_from_tail(const ScanMatch& match) const {
   return moved.translation().norm() >= kTailStepM || std::abs(moved.theta) >= kTailStepRad;
 }
 
-Trajectory RunRecord::odometry() const {
-  Trajectory odometry;
-  for (const ScanMatch& match : matches_) {
-    // Of two lasers with the same time, the second match has the better pose.
-    if (!odometry.empty() && odometry.back().utime == match.utime) odometry.pop_back();
-    odometry.push_back({match.utime, match.T_odom_body, match.z_m});
+void RunRecord::add_pose(const ScanMatch& match) {
+  bool unobserved = is_unobserved(match);
+  // Of two lasers with the same time, the second match has the better pose.
+  if (!odometry_.empty() && odometry_.back().utime == match.utime) {
+    unobserved = unobserved || unobserved_.back();
+    odometry_.pop_back();
+    unobserved_.pop_back();
   }
-  return odometry;
-}
-
-bool is_unobserved(const ScanMatch& match) { return kind_of(match).has_value(); }
-
-std::vector<RunRecord::Segment> RunRecord::segments() const {
-  std::vector<Segment> segments;
-  std::optional<Kind> current;
-  for (const ScanMatch& match : matches_) {
-    const auto kind = kind_of(match);
-    if (kind && kind != current) {
-      segments.push_back({match.reference_utime, match.utime, 0.0, 0, kind->lost, kind->filled});
-    }
-    current = kind;
-    if (!kind) continue;
-    segments.back().to_utime = match.utime;
-    segments.back().length_m += match.T_reference_body.translation().norm();
-    ++segments.back().scans;
-  }
-  return segments;
+  odometry_.push_back({match.utime, match.T_odom_body, match.z_m});
+  unobserved_.push_back(unobserved);
 }
 
 }  // namespace adit

@@ -20,6 +20,7 @@
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
+#include "tools/map/segment_list.hpp"
 
 namespace adit {
 
@@ -42,8 +43,8 @@ class MapSubscription {
   PoseGraphReassembler graph_fragments_;
 };
 
-/// Collects the data for the result files of a run: all scan matches, the output of mapping, and
-/// the scans that are not in a local map yet.
+/// Collects the data for the result files of a run: what the summary counts, one pose per scan, the
+/// output of mapping, and the scans that are not in a local map yet.
 class RunRecord {
  public:
   struct Entry {
@@ -51,22 +52,20 @@ class RunRecord {
     ScanMatch match;
   };
 
-  /// An interval of consecutive scans that were degenerate or lost.
-  struct Segment {
-    std::int64_t from_utime = 0;
-    std::int64_t to_utime = 0;
-    double length_m = 0.0;
-    int scans = 0;
-    bool lost = false;    ///< false: degenerate
-    bool filled = false;  ///< degenerate, with the open direction taken from odometry or gyro
+  /// Number of scans by what scan matching made of them.
+  struct Counts {
+    std::size_t with_pose = 0;  ///< all but the rejected ones
+    std::size_t matched = 0;
+    std::size_t lost = 0;
+    std::size_t rejected = 0;  ///< time did not advance
+    std::size_t searched = 0;
+    std::size_t degenerate = 0;
   };
 
   /// `bus` must outlive this.
   explicit RunRecord(Bus& bus);
 
-  /// Matches of all scans with a pose, in order.
-  [[nodiscard]] const std::vector<ScanMatch>& matches() const { return matches_; }
-  [[nodiscard]] std::size_t rejected_scans() const { return rejected_; }
+  [[nodiscard]] const Counts& counts() const { return counts_; }
   /// Scans after the last local map, except for lost ones and for those less than 0.1 m and 0.1 rad
   /// from the previous one.
   [[nodiscard]] const std::vector<Entry>& tail() const { return tail_; }
@@ -76,27 +75,29 @@ class RunRecord {
   /// Last POSE_GRAPH; nothing before the first local map.
   [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
 
-  /// T_odom_body at each scan.
-  [[nodiscard]] Trajectory odometry() const;
-  [[nodiscard]] std::vector<Segment> segments() const;
+  /// T_odom_body at each scan with a pose.
+  [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
+  /// For each pose of `odometry`, whether a scan at its time did not observe all motion.
+  [[nodiscard]] const std::vector<bool>& unobserved() const { return unobserved_; }
+  [[nodiscard]] const SegmentList& segments() const { return segments_; }
 
  private:
   void subscribe_laser(Bus& bus, std::string_view channel);
   void on_match(const ScanMatch& match);
+  void add_pose(const ScanMatch& match);
   void on_local_map(LocalMap map);
   [[nodiscard]] bool is_far_from_tail(const ScanMatch& match) const;
 
   std::map<std::string, LaserScan> last_scan_;
-  std::vector<ScanMatch> matches_;
+  Counts counts_;
+  Trajectory odometry_;
+  std::vector<bool> unobserved_;
+  SegmentList segments_;
   std::vector<Entry> tail_;
-  std::size_t rejected_ = 0;
   MapSubscription map_subscription_;
   std::vector<LocalMap> local_maps_;
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;
 };
-
-/// True for a lost scan and for one with a degenerate direction.
-bool is_unobserved(const ScanMatch& match);
 
 }  // namespace adit

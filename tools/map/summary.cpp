@@ -38,32 +38,39 @@ double greatest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-std::size_t count(const RunRecord& record, ScanMatch::Status status) {
-  return std::count_if(record.matches().begin(), record.matches().end(),
-                       [&](const auto& match) { return match.status == status; });
+Json scans_json(const RunRecord& record) {
+  const RunRecord::Counts& counts = record.counts();
+  return {{"total", counts.with_pose + counts.rejected},
+          {"matched", counts.matched},
+          {"lost", counts.lost},
+          {"rejected", counts.rejected},
+          {"searched", counts.searched},
+          {"degenerate", counts.degenerate}};
 }
 
-Json scans_json(const RunRecord& record) {
-  const auto& matches = record.matches();
-  const auto degenerate = std::count_if(
-      matches.begin(), matches.end(), [](const auto& match) { return !match.degenerate.empty(); });
-  const auto searched = std::count_if(matches.begin(), matches.end(),
-                                      [](const auto& match) { return match.searched; });
-  return {{"total", matches.size() + record.rejected_scans()},
-          {"matched", count(record, ScanMatch::Status::kMatched)},
-          {"lost", count(record, ScanMatch::Status::kLost)},
-          {"rejected", record.rejected_scans()},
-          {"searched", searched},
-          {"degenerate", degenerate}};
+Json times_json(const TimeChoice& times) {
+  switch (times.source) {
+    case TimeChoice::Source::kMeasured:
+      return {{"source", "measurement"}, {"sorted_readings", times.late}};
+    case TimeChoice::Source::kLogged:
+      return {{"source", "logger"}, {"defects", times.defects}, {"sorted_readings", times.late}};
+    case TimeChoice::Source::kOrder:
+      break;
+  }
+  return {{"source", "order in the file"},
+          {"defects", times.defects},
+          {"scan_period_s", 1e-6 * times.period_us},
+          {"scan_period_origin", times.period_origin}};
 }
 
 Json segments_json(const RunRecord& record) {
   Json list = Json::array();
-  for (const auto& segment : record.segments()) {
+  for (const auto& segment : record.segments().segments()) {
     list.push_back({{"from_s", seconds(segment.from_utime)},
                     {"to_s", seconds(segment.to_utime)},
                     {"length_m", segment.length_m},
                     {"scans", segment.scans},
+                    {"intervals", segment.intervals},
                     {"kind", segment.lost ? "lost" : "degenerate"},
                     {"filled_by_sensor", segment.filled}});
   }
@@ -129,12 +136,14 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
   return counts;
 }
 
-std::string summary_json(const RunRecord& record, const FullMap& map, const RunCost& cost) {
-  const Trajectory trajectory = record.odometry();
+std::string summary_json(const RunRecord& record, const FullMap& map, const TimeChoice& times,
+                         const RunCost& cost) {
+  const Trajectory& trajectory = record.odometry();
   const double duration_s =
       trajectory.empty() ? 0.0 : seconds(trajectory.back().utime - trajectory.front().utime);
   const Json json = {
       {"scans", scans_json(record)},
+      {"times", times_json(times)},
       {"path_length_m", distance_travelled_m(trajectory, kTravelStepM)},
       {"duration_s", duration_s},
       {"wall_s", cost.wall_s},
@@ -145,6 +154,7 @@ std::string summary_json(const RunRecord& record, const FullMap& map, const RunC
        {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
       {"peak_memory_mb", cost.peak_memory_mb},
       {"map", map_json(map)},
+      {"unobserved_segments_joined_m", record.segments().joined_m()},
       {"unobserved_segments", segments_json(record)}};
   return json.dump(2) + "\n";
 }

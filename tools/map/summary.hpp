@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/log_times/time_choice.hpp"
 #include "tools/map/full_map.hpp"
 #include "tools/map/run_record.hpp"
 
@@ -23,10 +24,11 @@ struct RunCost {
 /// CPU time and peak memory of this process; the other members are not set.
 RunCost process_cost();
 
-/// Figures of a run as JSON, for summary.json: scans by status, path length, times, real-time
-/// factor, memory, the map including earlier sessions, and the segments of this run where motion
-/// was not fully observed.
-std::string summary_json(const RunRecord& record, const FullMap& map, const RunCost& cost);
+/// Figures of a run as JSON, for summary.json: scans by status, the times that were used, path
+/// length, computation times, memory, the map including earlier sessions, and the segments of this
+/// run where motion was not fully observed (SegmentList).
+std::string summary_json(const RunRecord& record, const FullMap& map, const TimeChoice& times,
+                         const RunCost& cost);
 
 /// Loop closures of a map.
 struct LoopClosureCounts {

@@ -9,6 +9,8 @@
 namespace adit {
 namespace {
 
+constexpr std::size_t kReleasedBytes = std::size_t{16} << 20U;
+
 template <class Event>
 void sort_by_time(std::vector<Event>& events) {
   std::stable_sort(events.begin(), events.end(),
@@ -27,11 +29,32 @@ std::optional<LogEventView> EventList::next() {
   return LogEventView{event.utime, event.channel, event.data};
 }
 
-LogFile::LogFile(const std::filesystem::path& path) : file_(path) {
-  LogParser parser(file_.bytes());
-  while (const auto event = parser.next()) events_.push_back(*event);
-  health_ = parser.health();
-  if (events_.empty() && !file_.bytes().empty()) {
+std::optional<LogEventView> LogReader::next() {
+  const auto event = parser_.next();
+  if (event) release_before(*event);
+  return event;
+}
+
+double LogReader::fraction_read() const {
+  if (empty()) return 1.0;
+  return static_cast<double>(parser_.position()) / static_cast<double>(file_.bytes().size());
+}
+
+void LogReader::release_before(const LogEventView& event) {
+  const auto* const at = reinterpret_cast<const std::uint8_t*>(event.channel.data());
+  const auto offset = static_cast<std::size_t>(at - file_.bytes().data());
+  if (offset < released_) released_ = 0;  // read from the start again
+  if (offset < released_ + kReleasedBytes) return;
+  file_.release(released_, offset);
+  released_ = offset;
+}
+
+LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : reader_(path) {
+  while (auto event = reader_.next()) {
+    if (time_of) event->utime = time_of(*event);
+    events_.push_back(*event);
+  }
+  if (events_.empty() && !reader_.empty()) {
     throw std::runtime_error(path.string() + ": not an LCM log");
   }
   sort_by_time(events_);
@@ -39,6 +62,7 @@ LogFile::LogFile(const std::filesystem::path& path) : file_(path) {
 
 std::optional<LogEventView> LogFile::next() {
   if (next_ == events_.size()) return std::nullopt;
+  reader_.release_before(events_[next_]);
   return events_[next_++];
 }
 

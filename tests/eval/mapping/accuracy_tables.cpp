@@ -79,7 +79,7 @@ Evaluation read_results(const std::filesystem::path& folder) {
   result.degenerate = summary.at("scans").at("degenerate");
   for (const auto& segment : summary.at("unobserved_segments")) {
     if (segment.at("kind") != "degenerate") continue;
-    ++result.degenerate_segments;
+    result.degenerate_segments += segment.at("intervals").get<std::size_t>();
     result.degenerate_m += segment.at("length_m").get<double>();
   }
   result.scan_ms = summary.at("ms_per_scan").at("mean");

@@ -33,6 +33,9 @@ void print_result(const CarmenReport& report, const ImportOptions& options) {
   for (const std::string& message : report.messages()) {
     std::cerr << fmt::format("adit: {}: skipped {}\n", options.input.string(), message);
   }
+  if (const std::string times = report.times.text(); !times.empty()) {
+    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), times);
+  }
   std::cout << fmt::format("{}: {} scans, {} odometry lines; {} of {} lines skipped\n",
                            options.output.string(), report.scans, report.odometry_lines,
                            report.rejected_lines(), report.lines);

@@ -55,5 +55,27 @@ TEST(CarmenImport, PublishesOdometryThenScanWithTheirTimes) {
   EXPECT_EQ(from_message(*message)->ranges_m, example().scan.ranges_m);
 }
 
+TEST(CarmenImport, WritesReadingsInOrderOfTime) {
+  const test::ScratchFolder folder;
+  std::ofstream text(folder / "exchanged.log");
+  for (int i = 0; i < 50; ++i) {
+    CarmenScan scan = example();
+    scan.scan.utime += 100'000 * (i ^ 3);  // groups of four are reversed
+    scan.odometry.utime = scan.scan.utime;
+    text << flaser_line(scan) << "\n";
+  }
+  text.close();
+  import_carmen(folder / "exchanged.log", folder / "exchanged.lcmlog", [](double) {});
+  LogReader log(folder / "exchanged.lcmlog");  // in the order of the file
+  std::int64_t last = 0;
+  int events = 0;
+  while (const auto event = log.next()) {
+    EXPECT_GE(event->utime, last);
+    last = event->utime;
+    ++events;
+  }
+  EXPECT_EQ(events, 100);
+}
+
 }  // namespace
 }  // namespace adit

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,6 +45,10 @@ std::string odom_lines(int count) {
     text += "ODOM " + std::to_string(i) + " 0 0 0 0 0 " + std::to_string(i) + " h 1\n";
   }
   return text;
+}
+
+std::string flaser_line_at(const std::string& time, const std::string& logger_time) {
+  return "FLASER 2 1 1 0 0 0 0 0 0 " + time + " h " + logger_time + "\n";
 }
 
 int count_records(CarmenReader& reader) {
@@ -87,6 +92,43 @@ TEST_F(CarmenReaderFile, ReportsTheFirstRejectedLinesPerReason) {
   EXPECT_THAT(
       reader.report().messages(),
       ElementsAre("lines 3, 4, 5 and 7 more: timestamp not positive", "line 13: malformed number"));
+}
+
+TEST_F(CarmenReaderFile, UsesTheTimesOfTheLoggerForScansAndOdometryIfOthersAreCoarse) {
+  std::string text;
+  for (int i = 1; i <= 20; ++i) {
+    text += flaser_line_at("1.01893e+09", std::to_string(i));
+    text += "ODOM 1 0 0 0 0 0 1.01893e+09 h " + std::to_string(i) + ".5\n";
+  }
+  CarmenReader reader(plain(text));
+  std::vector<std::int64_t> times;
+  while (const auto record = reader.next()) {
+    const auto* scan = std::get_if<CarmenScan>(&*record);
+    times.push_back(scan != nullptr ? scan->scan.utime : std::get<WheelOdometry>(*record).utime);
+  }
+  ASSERT_EQ(times.size(), 60U);  // with the odometry in the lines of the scans
+  EXPECT_THAT(std::vector(times.begin(), times.begin() + 4),
+              ElementsAre(1000000, 1000000, 1500000, 2000000));
+  EXPECT_EQ(reader.report().times.source, TimeChoice::Source::kLogged);
+  EXPECT_EQ(reader.report().rejected_lines(), 0U);
+}
+
+TEST_F(CarmenReaderFile, AssumesTheOrderInTheFileIfAllTimesAreZero) {
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += flaser_line_at("0", "0");
+  CarmenReader reader(plain(text));
+  std::int64_t last = 0;
+  int scans = 0;
+  while (const auto record = reader.next()) {
+    const auto* scan = std::get_if<CarmenScan>(&*record);
+    if (scan == nullptr) continue;
+    EXPECT_GT(scan->scan.utime, last);
+    EXPECT_EQ(scan->odometry.utime, scan->scan.utime);
+    last = scan->scan.utime;
+    ++scans;
+  }
+  EXPECT_EQ(scans, 20);
+  EXPECT_EQ(reader.report().times.source, TimeChoice::Source::kOrder);
 }
 
 TEST_F(CarmenReaderFile, RejectsAnOutdatedTimestamp) {

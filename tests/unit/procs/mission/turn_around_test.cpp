@@ -122,7 +122,7 @@ TEST_F(UnmeasuredMission, IsSureAtTheStart) {
   EXPECT_LT(phase().home_within_m, 0.5);
 }
 
-TEST_F(UnmeasuredMission, GoesOnFartherAway) {
+TEST_F(UnmeasuredMission, DrivesBackFromFartherAway) {
   roll_unmeasured(9.5);
   EXPECT_NE(now(), Phase::kEnded);
   EXPECT_TRUE(phase().returning_home);

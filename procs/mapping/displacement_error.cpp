@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/LU>
+
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -14,6 +16,14 @@ namespace {
 double square(double x) { return x * x; }
 
 bool is_mostly_turn(const Eigen::Vector3d& direction) { return std::abs(direction.z()) > 0.7; }
+
+constexpr double kMatchSdM = 0.01;  // of the motion between two matches
+constexpr double kExplained = 1.0;  // mean of the squared difference along the direction of a slip
+
+/// The farther of two.
+Eigen::Vector3d farther(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.head<2>().norm() > b.head<2>().norm() ? a : b;
+}
 
 double duration_s(const ScanMatch& match) { return seconds(match.utime - match.reference_utime); }
 
@@ -38,14 +48,23 @@ void DisplacementError::reset() {
   unobserved_ = {};
   last_step_ = {};
   disagreement_.setZero();
+  comparison_ = {};
+  slip_.setZero();
+  largest_slip_.setZero();
 }
 
-void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& match) {
+void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& match,
+                                 const std::optional<Pose2>& wheels_step) {
   const Eigen::Matrix3d Ad = adjoint(T_last_body.inverse());
   accumulated_.move(Ad);
   unobserved_.move(Ad);
   disagreement_ = Ad * disagreement_;
+  slip_ = Ad * slip_;
+  largest_slip_ = Ad * largest_slip_;
+  comparison_.difference = Ad * comparison_.difference;
+  comparison_.wheels.move(Ad);
   add_disagreement(T_last_body, match);
+  compare_with_wheels(T_last_body, match, wheels_step);
   if (match.status == ScanMatch::Status::kMatched && match.degenerate.empty()) {
     end_unobserved_stretch();
     return;
@@ -69,6 +88,44 @@ void DisplacementError::add_disagreement(const Pose2& T_last_body, const ScanMat
   const double share = last_step_.duration_s / both_s;
   const Eigen::Vector3d disagreement = T_body_other.vector() - share * T_body_before.vector();
   if (disagreement.head<2>().norm() > disagreement_.head<2>().norm()) disagreement_ = disagreement;
+}
+
+/// Steps that the wheels did not measure count as agreement. The wheels measure along the ground.
+void DisplacementError::compare_with_wheels(const Pose2& T_last_body, const ScanMatch& match,
+                                            const std::optional<Pose2>& wheels_step) {
+  if (comparison_.begin_utime == 0) comparison_.begin_utime = match.reference_utime;
+  if (wheels_step) {
+    Pose2 level = *wheels_step;
+    if (match.attitude) level.x *= std::cos(match.attitude->pitch_rad);
+    comparison_.difference += between(level, T_last_body).vector();
+    comparison_.wheels.add(wheels_error(level));
+  }
+  if (seconds(match.utime - comparison_.begin_utime) < params_.compared_s) return;
+  slip_ += comparison_.unexplained();
+  largest_slip_ = farther(slip_, largest_slip_);
+  comparison_ = {};
+}
+
+DisplacementError::ErrorCovariance DisplacementError::wheels_error(const Pose2& step) const {
+  const double length_m = step.translation().norm();
+  const double walk = square(params_.wheels_m_per_sqrt_m) * length_m;
+  ErrorCovariance error;
+  error.independent.diagonal() << walk, walk,
+      square(params_.wheels_rad_per_sqrt_m) * length_m +
+          square(params_.wheels_rad_per_rad * step.theta);
+  error.common_root.col(0) = params_.wheels_scale_sd * Eigen::Vector3d(step.x, step.y, 0.0);
+  return error;
+}
+
+/// Shrinks the difference by the share that noise explains (James and Stein, "Estimation with
+/// quadratic loss", 1961): continuous, so that several small slips count as well as a large one.
+/// The place decides, since wheels that skid in turns measure these badly.
+Eigen::Vector3d DisplacementError::WheelComparison::unexplained() const {
+  const Eigen::Matrix2d claimed =
+      wheels.sum().topLeftCorner<2, 2>() + square(kMatchSdM) * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d place = difference.head<2>();
+  const double squared = place.dot(claimed.inverse() * place);
+  return std::max(0.0, 1.0 - kExplained / std::max(squared, kExplained)) * difference;
 }
 
 void DisplacementError::end_unobserved_stretch() {
@@ -135,7 +192,9 @@ void DisplacementError::add_travel(double distance_m, double turn_rad) {
 Eigen::Matrix3d DisplacementError::covariance() const {
   ErrorCovariance all = accumulated_;
   all.add(unobserved_);
-  Eigen::Matrix3d covariance = all.sum() + 0.25 * disagreement_ * disagreement_.transpose();
+  const Eigen::Vector3d slip = farther(slip_ + comparison_.unexplained(), largest_slip_);
+  Eigen::Matrix3d covariance =
+      all.sum() + 0.25 * disagreement_ * disagreement_.transpose() + 0.25 * slip * slip.transpose();
   covariance.diagonal() +=
       Eigen::Vector3d(square(params_.floor_m), square(params_.floor_m), square(params_.floor_rad));
   return covariance;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include <Eigen/Core>
@@ -22,7 +24,10 @@ struct DisplacementErrorParams {
   double dense_m = 0.25;  ///< scans farther apart sample the walls less densely and drift more
   double wheels_m_per_sqrt_m = 0.03;  ///< of a distance that only the wheels measured: random walk
   double wheels_scale_sd = 0.015;     ///< and error of scale, the same over a displacement
-  double speed_sd_m_s = 0.3;          ///< of unobserved motion, for which the last speed is assumed
+  double wheels_rad_per_sqrt_m = 0.02;  ///< of a turn by the wheels: random walk along the path
+  double wheels_rad_per_rad = 0.1;      ///< and with the turn
+  double compared_s = 2.0;    ///< time over which the motion by wheels and by scans is compared
+  double speed_sd_m_s = 0.3;  ///< of unobserved motion, for which the last speed is assumed
   double turn_sd_rad_s = 0.3;
   /// Walls observed before an unobserved stretch shorter than this are observed again after it.
   double unobserved_max_m = 1.0;
@@ -38,6 +43,9 @@ struct DisplacementErrorParams {
     v("dense_m", dense_m, above(0.0));
     v("wheels_m_per_sqrt_m", wheels_m_per_sqrt_m, within(0.0, 10.0));
     v("wheels_scale_sd", wheels_scale_sd, within(0.0, 1.0));
+    v("wheels_rad_per_sqrt_m", wheels_rad_per_sqrt_m, within(0.0, 10.0));
+    v("wheels_rad_per_rad", wheels_rad_per_rad, within(0.0, 10.0));
+    v("compared_s", compared_s, within(0.1, 60.0));
     v("speed_sd_m_s", speed_sd_m_s, within(0.001, 100.0));
     v("turn_sd_rad_s", turn_sd_rad_s, within(0.001, 100.0));
     v("unobserved_max_m", unobserved_max_m, within(0.0, 100.0));
@@ -58,6 +66,11 @@ struct DisplacementErrorParams {
 /// Two lasers are matched each against what it saw itself. Where surfaces deceive one of them, such
 /// as ground that it takes for a wall, their poses part, and later only one of them remains. Which
 /// is right is unknown: the largest disagreement of a displacement adds an error of half of it.
+///
+/// Scans that slip claim millimetres, and wheels that slip centimetres. Over some seconds the two
+/// are compared. What is more than both claim has one of them as its cause, and which is unknown:
+/// half of it is added as an error, in this direction, so that both places are likely. Slips of one
+/// displacement add up or cancel; the largest sum counts, as the walls in between are bent by it.
 class DisplacementError {
  public:
   explicit DisplacementError(const DisplacementErrorParams& params) : params_(params) {}
@@ -65,8 +78,10 @@ class DisplacementError {
   /// Starts a new displacement.
   void reset();
 
-  /// Adds a step of the body that ends with `match`.
-  void add_step(const Pose2& T_last_body, const ScanMatch& match);
+  /// Adds a step of the body that ends with `match`. `wheels_step`: the same by the wheels, along
+  /// the ground; empty if they did not measure it.
+  void add_step(const Pose2& T_last_body, const ScanMatch& match,
+                const std::optional<Pose2>& wheels_step = std::nullopt);
 
   /// Adds the motion between two stored scans. Separate from the steps, since the pose of a
   /// standing body jitters but does not drift.
@@ -92,6 +107,19 @@ class DisplacementError {
   [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
                                                     const Pose2& T_last_body,
                                                     const ScanMatch& match) const;
+  /// The motion by scans compared with that by the wheels, in the present body frame.
+  struct WheelComparison {
+    std::int64_t begin_utime = 0;
+    Eigen::Vector3d difference = Eigen::Vector3d::Zero();  ///< scans minus wheels
+    ErrorCovariance wheels;                                ///< what they claim
+
+    /// The part of the difference that both claims do not explain; zero if they explain it.
+    [[nodiscard]] Eigen::Vector3d unexplained() const;
+  };
+
+  void compare_with_wheels(const Pose2& T_last_body, const ScanMatch& match,
+                           const std::optional<Pose2>& wheels_step);
+  [[nodiscard]] ErrorCovariance wheels_error(const Pose2& wheels_step) const;
   void end_unobserved_stretch();
   void add_disagreement(const Pose2& T_last_body, const ScanMatch& match);
 
@@ -109,6 +137,10 @@ class DisplacementError {
   };
   Step last_step_;
   Eigen::Vector3d disagreement_ = Eigen::Vector3d::Zero();  ///< the largest, in the present body
+  WheelComparison comparison_;                              ///< of the last seconds
+  /// Of earlier comparisons, what was not explained: their sum, in the present body.
+  Eigen::Vector3d slip_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d largest_slip_ = Eigen::Vector3d::Zero();  ///< the largest such sum
 };
 
 }  // namespace adit

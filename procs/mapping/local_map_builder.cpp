@@ -28,11 +28,12 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
   std::optional<LocalMap> finished;
   if (new_odom) finished = finish();
 
+  const std::optional<Pose2> wheels_step = wheels_.step_to(match.utime);
   if (map_.scans.empty()) {
     if (match.status == ScanMatch::Status::kLost) return finished;
     begin(match.T_odom_body);
   } else {
-    error_.add_step(between(T_odom_body_, match.T_odom_body), match);
+    error_.add_step(between(T_odom_body_, match.T_odom_body), match, wheels_step);
   }
   T_odom_body_ = match.T_odom_body;
   if (match.status == ScanMatch::Status::kLost) return finished;

@@ -12,6 +12,7 @@
 #include "common/types/local_map.hpp"
 #include "procs/mapping/association/odometry_chain.hpp"
 #include "procs/mapping/displacement_error.hpp"
+#include "procs/mapping/wheel_steps.hpp"
 
 namespace adit {
 
@@ -44,6 +45,9 @@ class LocalMapBuilder {
   /// `first_id`, `session`: of the first local map; not 0 if earlier maps exist.
   explicit LocalMapBuilder(const LocalMapBuilderParams& params, int first_id = 0, int session = 0);
 
+  /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
+  void add(const WheelOdometry& reading) { wheels_.add(reading); }
+
   /// Adds a scan and its scan match, in order of time. Returns the local map that this finishes, if
   /// any. Lost scans are not stored, but their motion counts; rejected scans are ignored.
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
@@ -71,6 +75,7 @@ class LocalMapBuilder {
 
   LocalMapBuilderParams params_;
   DisplacementError error_;
+  WheelSteps wheels_;
   LocalMap map_;
   std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame began
   Pose2 T_odom_body_;                             ///< of the last match

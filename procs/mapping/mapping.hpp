@@ -89,6 +89,9 @@ class Mapping : private Evidence {
   /// an update if a local map was unfinished, which is then finished.
   std::optional<MapUpdate> restore(StoredMap stored);
 
+  /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
+  void add(const WheelOdometry& reading) { builder_.add(reading); }
+
   /// Adds a scan and its scan match, in order of time. Returns an update if it finishes a local
   /// map.
   std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,

@@ -19,7 +19,8 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kScansWaiting = 500;  // while a loop closure is searched, at 75 Hz
+constexpr std::size_t kScansWaiting = 500;     // while a loop closure is searched, at 75 Hz
+constexpr std::size_t kReadingsWaiting = 500;  // as long
 // A local map has about three fragments; exploration takes some 30 ms for a map and queues 500
 // fragments.
 constexpr std::int64_t kResendPeriodUs = 50'000;
@@ -40,6 +41,8 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
                                 if (waiting.size() > kScansWaiting) waiting.pop_front();
                               });
   }
+  subscribe<wheel_odometry_t>(bus, channels::kWheelOdometry, Delivery::queued(kReadingsWaiting),
+                              [this](const WheelOdometry& reading) { mapping_.add(reading); });
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kScansWaiting),
                           [this](const ScanMatch& match) { on_match(match); });
   subscribe<map_request_t>(bus, channels::kMapRequest, Delivery::queued(10),

@@ -31,7 +31,7 @@ struct MappingNodeParams : MappingParams {
 };
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); SCAN_MATCH (scan_match_t), one for each scan;
-///      MAP_REQUEST (map_request_t).
+///      MAP_REQUEST (map_request_t), WHEEL_ODOMETRY (wheel_odometry_t), if there are wheels.
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
 ///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
 ///      (map_correction_t), which is repeated each second with the present uncertainty.

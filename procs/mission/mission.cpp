@@ -59,6 +59,7 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
                       std::vector<StoredPathPose> path) {
   localization_.restore(last.utime, last.distance_travelled_m, std::move(path));
   limits_.begin(last.distance_travelled_m);
+  rolled_.invalidate();
   clock_.restore(start_utime);
   explore_id_ = last.sequence;  // exploration answers each id once
   return_is_final_ = last.returning_home && !last.frontier;
@@ -77,8 +78,10 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
 
 MissionRequests Mission::advance(std::int64_t utime) {
   set_time(utime);
-  if (is_active(phase_.phase) && limits_.reason() && !return_is_final_)
+  if (is_active(phase_.phase) && limits_.reason() && !return_is_final_) {
     turn_around(*limits_.reason());
+    if (limits_.is_unmeasured()) end_unmeasured_at_start(*limits_.reason());
+  }
   if (phase_.phase == Phase::kWaiting) wait_for_stages();
   MissionRequests requests;
   switch (phase_.phase) {
@@ -347,6 +350,7 @@ void Mission::handle_arrival() {
 /// be at another place. With unmeasured motion the mission ends: the robot could leave the mine.
 void Mission::handle_failed_drive(const std::string& reason) {
   if (limits_.is_unmeasured()) {
+    if (end_unmeasured_at_start(reason)) return;
     end(MissionOutcome::kStranded, "the pose of the robot is unknown: " + reason);
     return;
   }
@@ -390,6 +394,11 @@ void Mission::add_match(const ScanMatch& match) {
 void Mission::add_correction(const MapCorrection& correction) {
   limits_.add(correction);
   localization_.add_correction(correction);
+}
+
+void Mission::add_vehicle_state(const VehicleState& state) {
+  limits_.add(state);
+  rolled_.add(state);
 }
 
 void Mission::add_order(const MissionOrder& order) {

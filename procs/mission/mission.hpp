@@ -24,6 +24,7 @@
 #include "procs/mission/phase_clock.hpp"
 #include "procs/mission/progress.hpp"
 #include "procs/mission/recovery.hpp"
+#include "procs/mission/rolled_distance.hpp"
 #include "procs/mission/traversed_path.hpp"
 
 namespace adit {
@@ -82,6 +83,7 @@ class Mission {
                                          double z_odom_m = 0.0);
   void add_match(const ScanMatch& match);
   void add_correction(const MapCorrection& correction);
+  void add_vehicle_state(const VehicleState& state);
   void add_exploration(const ExplorationReport& report);
   void add_cloud(std::int32_t id, bool complete);
   void add_terrain(std::int64_t utime, std::int32_t id);
@@ -144,6 +146,7 @@ class Mission {
   void retry_near_home(const std::string& reason);
   void end_near_home(const std::string& reason);
   void end_at_home(const std::string& reason);
+  bool end_unmeasured_at_start(const std::string& reason);
   [[nodiscard]] bool can_match_at_home(double uncertainty_m) const;
   void note_progress();
   void note_failed_try(const std::string& reason);
@@ -152,6 +155,7 @@ class Mission {
   MissionParams params_;
   MissionLimits limits_;
   MissionLocalization localization_;
+  RolledDistance rolled_;
   Inputs inputs_;
 
   MissionPhase phase_;

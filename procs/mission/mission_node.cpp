@@ -33,7 +33,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
   subscribe_to_stages();
   const auto latest = Delivery::latest();
   subscribe<vehicle_state_t>(bus, channels::kVehicleState, latest,
-                             [this](const VehicleState& s) { mission_.limits().add(s); });
+                             [this](const VehicleState& s) { mission_.add_vehicle_state(s); });
   subscribe<gas_t>(bus, channels::kGas, latest,
                    [this](const GasReading& gas) { mission_.limits().add(gas); });
   subscribe<sinkage_t>(bus, channels::kSinkage, latest,

@@ -21,6 +21,7 @@ constexpr double kObstacleDepthM = 1.0;  // beyond the reached place, where the 
 // have errors that the slope couples [m/m].
 constexpr double kSlopeReliable = 0.15;
 constexpr double kMatchAtHomeM = 5.0;  // and back: the length of two local maps
+constexpr double kStartUnmeasuredM = 2.0;
 constexpr double kStartRadiusM = 0.3;  // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
@@ -168,6 +169,22 @@ void Mission::end_at_home(const std::string& reason) {
       fmt::format("{} within {:.2f} m (95 %): {}",
                   is_sure ? "the robot is at home," : "at home by its own estimate, not sure:",
                   within_m, reason));
+}
+
+/// Where no sensor measures the motion, but the wheels have hardly rolled, the robot is at the
+/// start within that distance, and each further drive would take it to a place that is less known.
+/// False if it is farther away or that is unknown.
+bool Mission::end_unmeasured_at_start(const std::string& reason) {
+  const std::optional<double> within_m = rolled_.bound_m();
+  if (!within_m || *within_m > kStartUnmeasuredM) return false;
+  const bool is_sure = *within_m <= params_.home_uncertainty_max_m;
+  phase_.home_within_m = *within_m;
+  end(is_sure ? MissionOutcome::kHome : MissionOutcome::kHomeUncertain,
+      fmt::format(
+          "the wheels have rolled so little that the robot is within {:.2f} m of the start: "
+          "{}",
+          *within_m, reason));
+  return true;
 }
 
 /// Not if it did not help before, and not where a limit of air, ground or map made the robot turn

@@ -131,8 +131,8 @@ class Remapped {
     const MappedFile file(log_);
     LogParser parser(file.bytes());
     while (const auto event = parser.next()) {
-      for (const auto channel :
-           {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch, channels::kTruth}) {
+      for (const auto channel : {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch,
+                                 channels::kWheelOdometry, channels::kTruth}) {
         if (event->channel == channel) bus_.inject(event->utime, event->channel, event->data);
       }
     }

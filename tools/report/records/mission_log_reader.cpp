@@ -67,7 +67,8 @@ Channels selected_channels(bool remap) {
   }
   const auto map = {channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,
                     channels::kAssociation};
-  const auto input = {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch};
+  const auto input = {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch,
+                      channels::kWheelOdometry};
   for (const auto channel : remap ? input : map) selected.emplace(channel);
   return selected;
 }

@@ -3,6 +3,8 @@
 #include "procs/mapping/displacement_error.hpp"
 
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -170,6 +172,67 @@ TEST(DisplacementError, ForgetsTheDisagreementOfTheLastDisplacement) {
   error.reset();
   const DisplacementError fresh{DisplacementErrorParams{}};
   EXPECT_NEAR(sd(error, 1), sd(fresh, 1), 1e-12);
+}
+
+/// Five metres at 0.5 m/s, where the wheels measure `wheels_share` of what the scans do over the
+/// second metre.
+DisplacementError with_wheels(double wheels_share, double pitch_rad = 0.0) {
+  DisplacementError error{DisplacementErrorParams{}};
+  ScanMatch match = matched();
+  if (pitch_rad != 0.0) match.attitude = Attitude{0.0, pitch_rad};
+  for (int i = 0; i < 50; ++i) {
+    match.reference_utime = match.utime;
+    match.utime += static_cast<std::int64_t>(1e6 * kPeriodS);
+    const double share = i >= 10 && i < 20 ? wheels_share : 1.0;
+    error.add_step({kStepM, 0.0, 0.0}, match,
+                   Pose2{share * kStepM / std::cos(pitch_rad), 0.0, 0.0});
+  }
+  return error;
+}
+
+TEST(DisplacementError, CoversScansAndWheelsWhereTheyDisagree) {
+  const Eigen::Matrix3d agreeing = with_wheels(1.0).covariance();
+  for (const double share : {0.6, 1.4}) {
+    const Eigen::Matrix3d slipped = with_wheels(share).covariance();
+    const double sd_m = std::sqrt(slipped(0, 0) - agreeing(0, 0));
+    EXPECT_GT(2.448 * sd_m, 0.4);  // with 95 % the truth may be where the wheels are
+    EXPECT_LT(sd_m, 0.5 * 0.4 + 1e-9);
+    EXPECT_NEAR(slipped(1, 1), agreeing(1, 1), 1e-9);  // across, they agree
+  }
+}
+
+TEST(DisplacementError, HasNoSlipThatWheelsAndScansExplain) {
+  DisplacementError scans{DisplacementErrorParams{}};
+  for (int i = 0; i < 50; ++i) scans.add_step({kStepM, 0.0, 0.0}, matched());
+  EXPECT_NEAR(sd(with_wheels(0.98), 0), sd(scans, 0), 1e-9);
+}
+
+TEST(DisplacementError, ComparesWheelsInThePlan) {
+  EXPECT_NEAR(sd(with_wheels(1.0, 0.35), 0), sd(with_wheels(1.0), 0),
+              1e-9);  // 6 % longer on the slope
+}
+
+TEST(DisplacementError, TurnsASlipWithTheBody) {
+  DisplacementError error = with_wheels(0.6);
+  const double along = error.covariance()(0, 0);
+  const double across = error.covariance()(1, 1);
+  error.add_step({0.0, 0.0, 0.5 * std::numbers::pi}, matched(), std::nullopt);
+  EXPECT_NEAR(error.covariance()(1, 1), along, 1e-9);
+  EXPECT_NEAR(error.covariance()(0, 0), across, 1e-9);
+  error.reset();
+  EXPECT_NEAR(sd(error, 0), DisplacementErrorParams{}.floor_m, 1e-9);
+}
+
+TEST(DisplacementError, KeepsWhatSlippedThereAndBack) {
+  DisplacementError error{DisplacementErrorParams{}};
+  ScanMatch match = matched();
+  for (int i = 0; i < 60; ++i) {
+    match.reference_utime = match.utime;
+    match.utime += static_cast<std::int64_t>(1e6 * kPeriodS);
+    const double slip_m = i < 10 ? 0.03 : i < 20 ? -0.03 : 0.0;
+    error.add_step({kStepM, 0.0, 0.0}, match, Pose2{kStepM - slip_m, 0.0, 0.0});
+  }
+  EXPECT_GT(2.448 * sd(error, 0), 0.25);  // the walls between are bent by 0.3 m
 }
 
 }  // namespace

@@ -210,5 +210,27 @@ TEST(LocalMapBuilder, FinishesNothingBeforeTheFirstScan) {
   EXPECT_FALSE(builder.finish());
 }
 
+/// Standard deviation along the displacement to the second local map, if the wheels roll
+/// `wheels_share` of what the scans measure over one of its five metres.
+double displacement_sd(double wheels_share) {
+  Feed feed;
+  double wheels_m = 0.0;
+  std::int64_t utime = 1'000'000'000;  // as of Feed
+  for (int i = 0; i < 60; ++i) {
+    feed.builder().add(WheelOdometry{utime, {wheels_m, 0.0, 0.0}});
+    utime += 200'000;
+    wheels_m += 0.1 * (i >= 10 && i < 20 ? wheels_share : 1.0);
+    feed.builder().add(WheelOdometry{utime, {wheels_m, 0.0, 0.0}});
+    feed.step({0.1, 0.0, 0.0});
+  }
+  feed.finish();
+  return std::sqrt(feed.maps.at(1).information.inverse()(0, 0));
+}
+
+TEST(LocalMapBuilder, StatesASlipThatTheWheelsContradict) {
+  EXPECT_LT(displacement_sd(1.0), 0.02);
+  EXPECT_GT(2.448 * displacement_sd(0.6), 0.4);
+}
+
 }  // namespace
 }  // namespace adit

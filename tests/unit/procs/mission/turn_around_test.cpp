@@ -83,6 +83,60 @@ TEST_F(MissionTurnaround, TurnsAroundIfNoSensorMeasuresMotion) {
   EXPECT_THAT(phase().reason, HasSubstr("the pose of the robot is unknown"));
 }
 
+/// Motion is not observed from the start on, while the wheels roll at 0.2 m/s for `seconds`.
+class UnmeasuredMission : public MissionTurnaround {
+ protected:
+  void roll_unmeasured(double seconds) {
+    ScanMatch open;
+    open.status = ScanMatch::Status::kMatched;
+    open.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kNone}};
+    to_execute();
+    driving(DrivingState::Kind::kDriving);
+    for (int i = 0; i < 120; ++i) {
+      open.utime = utime_;
+      mission_.add_match(open);
+      VehicleState state;
+      state.utime = utime_;
+      state.speed_m_s = 0.1 * i < seconds ? 0.2 : 0.0;
+      mission_.add_vehicle_state(state);
+      tick();
+    }
+  }
+};
+
+TEST_F(UnmeasuredMission, EndsWhereItHasHardlyMoved) {
+  roll_unmeasured(5.0);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
+  EXPECT_GT(phase().home_within_m, 1.0);  // 5 s at 0.2 m/s: never less than the truth
+  EXPECT_LT(phase().home_within_m, 1.4);
+  EXPECT_THAT(phase().reason, HasSubstr("no sensor measured the motion"));
+  EXPECT_THAT(phase().return_home_reason, HasSubstr("no sensor measured the motion"));
+}
+
+TEST_F(UnmeasuredMission, IsSureAtTheStart) {
+  roll_unmeasured(1.0);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+  EXPECT_GT(phase().home_within_m, 0.2);
+  EXPECT_LT(phase().home_within_m, 0.5);
+}
+
+TEST_F(UnmeasuredMission, DrivesBackFromFartherAway) {
+  roll_unmeasured(9.5);
+  EXPECT_NE(now(), Phase::kEnded);
+  EXPECT_TRUE(phase().returning_home);
+}
+
+TEST(RolledDistance, BoundsThereAndBack) {
+  RolledDistance rolled;
+  EXPECT_FALSE(rolled.bound_m());
+  for (int i = 0; i <= 100; ++i) rolled.add({i * 100'000, i < 50 ? 0.3 : -0.3, 0.0});
+  EXPECT_GT(*rolled.bound_m(), 3.0);
+  rolled.add({20'000'000, 0.0, 0.0});
+  EXPECT_FALSE(rolled.bound_m());  // after a gap
+}
+
 TEST_F(MissionTurnaround, ContinuesIfOdometryMeasuresMotion) {
   ScanMatch filled;
   filled.status = ScanMatch::Status::kMatched;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include <Eigen/Core>
@@ -33,6 +34,26 @@ struct TerrainCell {
   float slope_rad = 0.0F;    ///< slope of a plane fitted to the surrounding ground
   float step_m = 0.0F;       ///< largest ground difference to a neighbouring cell
   float repulsion_m = 0.0F;  ///< surrounding coefficients weighted by a kernel that repels paths
+  std::uint16_t obstacle_parts = 0;  ///< CellParts in which points show an obstacle
+};
+
+/// The 4 × 4 equal parts of a cell, as bits: where in a cell an obstacle stands. A region of 3 × 3
+/// cells decides that there is one; its parts say where its points lie.
+struct CellParts {
+  static constexpr int kSide = 4;
+  static constexpr int kCount = kSide * kSide;
+
+  /// The bit of the part at (x, y), each from 0 to 1 across the cell.
+  [[nodiscard]] static std::uint16_t bit_at(double x, double y) {
+    const auto part = [](double share) {
+      return std::clamp(static_cast<int>(kSide * share), 0, kSide - 1);
+    };
+    return static_cast<std::uint16_t>(1U << static_cast<unsigned>(kSide * part(y) + part(x)));
+  }
+  /// The centre of a part, from 0 to 1 across the cell.
+  [[nodiscard]] static Eigen::Vector2d centre(int part) {
+    return Eigen::Vector2d(part % kSide + 0.5, part / kSide + 0.5) / kSide;
+  }
 };
 
 /// The 2½D terrain map of a 3D scan (the paper's section 3.1), in the frame level of its cloud.

@@ -16,6 +16,15 @@ constexpr double kCurvatureWindowM = 0.05;  // half the window of the curvature 
 constexpr double kPathLengthMaxM = 1000.0;  // ten times the range of any scan
 constexpr double kStepMaxS = 0.2;           // maximum duration of a command
 
+// An error of the steering displaces the vehicle by its curvature times the square of the response:
+// where walls are near, and the robot slow, a quarter of it.
+constexpr double kResponseShareMin = 0.5;
+constexpr double kAfterHoldM = 0.3;  // driven slowly after a hold: what caused it is still near
+
+double response_share(double clearance_m, double clearance_full_m) {
+  return std::clamp(clearance_m / clearance_full_m, kResponseShareMin, 1.0);
+}
+
 double length_of(const std::vector<PathPoint>& points) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -48,6 +57,7 @@ void Driving::follow(const PlannedPath& path) {
   for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
   progress_.emplace(std::move(runs));
   monitor_.reset();
+  slow_until_m_ = 0.0;
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -125,6 +135,7 @@ void Driving::update_progress(std::int64_t utime) {
   const auto failure_reason =
       monitor_.failure_reason(utime, {progress_->distance_m(T_odom_steered), state_.error,
                                       state_.progress_m, permission_.hold_reason()});
+  if (permission_.hold_reason()) slow_until_m_ = state_.progress_m + kAfterHoldM;
   if (!failure_reason) return;
   state_.kind = Kind::kFailed;
   state_.reason = *failure_reason;
@@ -137,7 +148,9 @@ double Driving::target_curvature_1_m(const Pose2& T_odom_steered) const {
     return pursuit_curvature(run, s_m, T_odom_steered, ramp_.speed_m_s(), params_.pure_pursuit);
   }
   const double curvature = run.curvature_1_m(s_m - kCurvatureWindowM, s_m + kCurvatureWindowM);
-  return lateral_curvature(state_.error, curvature, run.direction(), params_.pd);
+  LateralParams lateral = params_.pd;
+  lateral.response_m *= response_share(run.clearance_m(s_m), params_.speed.clearance_full_m);
+  return lateral_curvature(state_.error, curvature, run.direction(), lateral);
 }
 
 void Driving::move(double seconds) {
@@ -146,12 +159,13 @@ void Driving::move(double seconds) {
   ramp_.drive(target_speed_m_s(), std::clamp(target_curvature_1_m_, -bound, bound), seconds);
 }
 
-/// While the vehicle is held, only creeping is commanded: a release must not jump to a speed that
-/// the vehicle does not have, and the guard would reject a higher speed where creeping is safe.
+/// While the vehicle is held, and shortly after, only creeping is commanded: a release must not
+/// jump to a speed that the vehicle does not have, and the guard would reject a higher speed where
+/// creeping is safe.
 double Driving::target_speed_m_s() const {
   const double planned = profile_->at(progress_->s_m());
-  const double limited =
-      permission_.hold_reason() ? std::min(planned, params_.speed.creep_m_s) : planned;
+  const bool is_slow = state_.progress_m < slow_until_m_ || permission_.hold_reason().has_value();
+  const double limited = is_slow ? std::min(planned, params_.speed.creep_m_s) : planned;
   return progress_->run().direction() * limited;
 }
 

@@ -115,6 +115,7 @@ class Driving {
   std::optional<SpeedProfile> profile_;  ///< of the current run
   std::optional<std::int64_t> utime_;    ///< of the last command
   double target_curvature_1_m_ = 0.0;    ///< of the path of the steered point
+  double slow_until_m_ = 0.0;            ///< progress up to which the robot creeps after a hold
 };
 
 }  // namespace adit

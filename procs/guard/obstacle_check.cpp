@@ -105,6 +105,12 @@ double stopping_distance_m(const ObstacleParams& params, double speed_m_s, doubl
          params.margin_m;
 }
 
+double side_margin_m(const ObstacleParams& params, double speed_m_s) {
+  const double margin_m =
+      std::max(params.side_margin_min_m, params.side_margin_s * std::abs(speed_m_s));
+  return std::min(params.side_margin_m, margin_m);
+}
+
 double distance_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m) {
   const double reach_m = sweep.reach_m(within_m);
   double nearest = kNoContact;

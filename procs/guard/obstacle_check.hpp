@@ -69,11 +69,13 @@ class ArcSweep {
 };
 
 struct ObstacleParams {
-  double reaction_s = 0.1;    ///< from a scan to the brakes
-  double braking_m_s2 = 0.6;  ///< guaranteed by the vehicle
-  double margin_m = 0.15;     ///< remaining distance; larger than the blind range
-  double side_margin_m = 0.05;
-  double release_margin_m = 0.03;  ///< free beyond the stopping distance before a release
+  double reaction_s = 0.1;           ///< from a scan to the brakes
+  double braking_m_s2 = 0.6;         ///< guaranteed by the vehicle
+  double margin_m = 0.15;            ///< remaining distance; larger than the blind range
+  double side_margin_m = 0.05;       ///< beside the footprint, from 0.25 m/s on
+  double side_margin_s = 0.2;        ///< the same for each m/s, below that
+  double side_margin_min_m = 0.015;  ///< three standard deviations of a range
+  double release_margin_m = 0.03;    ///< free beyond the stopping distance before a release
 
   template <class V>
   void visit(V& v) {
@@ -81,12 +83,19 @@ struct ObstacleParams {
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("margin_m", margin_m, at_least(0.0));
     v("side_margin_m", side_margin_m, at_least(0.0));
+    v("side_margin_s", side_margin_s, at_least(0.0));
+    v("side_margin_min_m", side_margin_min_m, at_least(0.0));
     v("release_margin_m", release_margin_m, within(0.0, 1.0));
   }
 };
 
 /// Stopping distance with the margin [m], on data of the age `age_s`.
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s);
+
+/// Margin beside the footprint [m]. The vehicle leaves an arc the less the shorter it takes to
+/// stop: slowly it may pass where walls are near. Driving reduces its speed to 3.3 /s times the
+/// clearance (driving.speed), which leaves a third of it beyond this margin.
+double side_margin_m(const ObstacleParams& params, double speed_m_s);
 
 /// Distance of the body's origin to the first obstacle [m]; infinity if none is nearer than
 /// `within_m`. Two neighbouring beams must hit it: a single one may be a mixed pixel, dust or a

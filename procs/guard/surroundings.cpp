@@ -45,7 +45,7 @@ std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, co
     return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) +
            (for_release ? obstacle_.release_margin_m : 0.0);
   };
-  const ArcSweep sweep(vehicle_, motion, obstacle_.side_margin_m);
+  const ArcSweep sweep(vehicle_, motion, side_margin_m(obstacle_, motion.speed_m_s));
   for (const LaserMonitor* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(now_us);
     if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since

@@ -78,6 +78,8 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   PlannedPath path;
   if (found.found) {
     path = make_path(found, start, terrain, goal, goals, T_odom_body);
+  } else if (auto narrow = passage(terrain, goal, goals, T_level_body)) {
+    path = std::move(*narrow);
   } else if (found.abandoned) {
     path.outcome = PlanOutcome::kSearchLimit;
     path.reason = "The search reached its maximum number of expansions.";
@@ -142,6 +144,18 @@ PlannedPath Planning::make_path(const LatticePath& found, const LatticePose& sta
   }
   if (goal.kind == PlanGoal::Kind::kRejoin) append_traversed_path(path, goal);
   return path;
+}
+
+std::optional<PlannedPath> Planning::passage(const TerrainMap& terrain, const PlanGoal& goal,
+                                             const GoalField& goals,
+                                             const Pose2& T_level_body) const {
+  const bool along = goal.kind == PlanGoal::Kind::kAlong || goal.kind == PlanGoal::Kind::kRoute ||
+                     goal.kind == PlanGoal::Kind::kRouteTo;
+  if (!along) return std::nullopt;
+  const WallDistance walls(terrain, ground_->layers, T_level_body, params_.vehicle,
+                           params_.c_space.ground);
+  return plan_passage(terrain, walls, goals, T_level_body, is_goal_behind_, params_.vehicle,
+                      params_.passage);
 }
 
 PlannedPath Planning::explain(const TerrainMap& terrain, const Pose2& T_level_body,

@@ -15,6 +15,7 @@
 #include "procs/planning/lattice/lattice.hpp"
 #include "procs/planning/lattice/lattice_search.hpp"
 #include "procs/planning/lattice/motion_primitives.hpp"
+#include "procs/planning/passage/passage.hpp"
 
 namespace adit {
 
@@ -24,6 +25,7 @@ struct PlanningParams {
   PrimitiveParams primitives;
   GoalParams goals;
   SearchParams search;
+  PassageParams passage;
   double point_spacing_m = 0.15;  ///< of the points of a path
 
   template <class V>
@@ -33,6 +35,7 @@ struct PlanningParams {
     v("primitives", primitives);
     v("goals", goals);
     v("search", search);
+    v("passage", passage);
     v("point_spacing_m", point_spacing_m, above_up_to(0.0, 1.0));
   }
 };
@@ -82,6 +85,10 @@ class Planning {
   [[nodiscard]] PlannedPath make_path(const LatticePath& found, const LatticePose& start,
                                       const TerrainMap& terrain, const PlanGoal& goal,
                                       const GoalField& goals, const Pose2& T_odom_body) const;
+  /// A path through a narrow passage, where the lattice has none.
+  [[nodiscard]] std::optional<PlannedPath> passage(const TerrainMap& terrain, const PlanGoal& goal,
+                                                   const GoalField& goals,
+                                                   const Pose2& T_level_body) const;
   PlannedPath explain(const TerrainMap& terrain, const Pose2& T_level_body,
                       const LatticePose& start, const GoalField& goals);
 

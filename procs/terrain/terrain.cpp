@@ -8,6 +8,7 @@
 
 #include "procs/terrain/derived_layers.hpp"
 #include "procs/terrain/ground_level.hpp"
+#include "procs/terrain/obstacle_parts.hpp"
 #include "procs/terrain/region_heights.hpp"
 #include "procs/terrain/visibility/passing_beams.hpp"
 #include "procs/terrain/visibility/unseen_ground.hpp"
@@ -136,6 +137,7 @@ TerrainMap Terrain::heights(const Cloud& cloud) const {
   const GroundLevel ground(map, observed, heights.trend(), params_);
   set_heights(map, regions, ground);
   classify_unseen_ground(map, cloud, heights, ground, beams, params_);
+  set_obstacle_parts(map, cloud, params_.vehicle);
   return map;
 }
 

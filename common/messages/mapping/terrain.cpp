@@ -58,6 +58,7 @@ void append(const TerrainCell& cell, terrain_t& message) {
   message.slope_tenth_mrad.push_back(rounded(cell.slope_rad, kPerRadian));
   message.step_mm.push_back(rounded(cell.step_m, kPerMetre));
   message.repulsion_mm.push_back(rounded(cell.repulsion_m, kPerMetre));
+  message.obstacle_parts.push_back(static_cast<std::int16_t>(cell.obstacle_parts));
 }
 
 TerrainCell cell_from(const terrain_t& message, std::size_t i) {
@@ -69,7 +70,8 @@ TerrainCell cell_from(const terrain_t& message, std::size_t i) {
           clearance_from(message.clearance_mm[i]),
           number_from(message.slope_tenth_mrad[i], kPerRadian),
           number_from(message.step_mm[i], kPerMetre),
-          number_from(message.repulsion_mm[i], kPerMetre)};
+          number_from(message.repulsion_mm[i], kPerMetre),
+          static_cast<std::uint16_t>(message.obstacle_parts[i])};
 }
 
 bool is_corner(const double (&p)[2]) {
@@ -159,7 +161,7 @@ namespace {
 
 // Encoded sizes.
 constexpr std::size_t kHeaderBytes = 128;
-constexpr std::size_t kCellBytes = 1 + 8 * sizeof(std::int16_t);
+constexpr std::size_t kCellBytes = 1 + 9 * sizeof(std::int16_t);
 constexpr std::size_t kCellsPerFragment = (kFragmentBytes - kHeaderBytes) / kCellBytes;
 
 TerrainHeader header_of(const TerrainMap& map) {

@@ -11,15 +11,28 @@ Eigen::Isometry2d motion_of(const Pose2& T_a_b) {
 }
 
 RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
-    : finder_(map), T_odom_level_(map.T_odom_level), distance_travelled_m_(distance_travelled_m) {
+    : finder_(map),
+      p_level_corner_(map.p_level_corner),
+      cell_m_(map.cell_m),
+      T_odom_level_(map.T_odom_level),
+      distance_travelled_m_(distance_travelled_m) {
   cells_.reserve(map.cells.size());
   for (int row = 0; row < map.cells.rows(); ++row) {
     for (int column = 0; column < map.cells.columns(); ++column) {
       const TerrainCell& cell = map.cells.at({column, row});
       const Ground ground = is_narrow_gap(map, column, row) ? Ground::kNeverObserved : cell.ground;
-      cells_.push_back({cell.low_m, cell.high_m, cell.clearance_m, cell.count, ground});
+      cells_.push_back({cell.low_m, cell.high_m, cell.clearance_m, cell.count, ground, false,
+                        cell.obstacle_parts});
     }
   }
+}
+
+bool RememberedMap::has_obstacle_at(const Eigen::Vector2d& p_level) const {
+  const RememberedCell* cell = at(static_cast<float>(p_level.x()), static_cast<float>(p_level.y()));
+  if (cell == nullptr || cell->ground != Ground::kObserved) return false;
+  const Eigen::Vector2d cells = (p_level - p_level_corner_) / cell_m_;
+  const Eigen::Vector2d share = cells - cells.array().floor().matrix();
+  return (cell->obstacle_parts & CellParts::bit_at(share.x(), share.y())) != 0;
 }
 
 namespace {

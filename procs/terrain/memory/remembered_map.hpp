@@ -40,7 +40,8 @@ struct RememberedCell {
   float roof_m = 0.0F;  ///< infinite if none was observed
   std::uint16_t count = 0;
   Ground ground = Ground::kNeverObserved;
-  bool invalidated = false;  ///< changed since older scans, which no longer count here
+  bool invalidated = false;          ///< changed since older scans, which no longer count here
+  std::uint16_t obstacle_parts = 0;  ///< as in TerrainCell
 
   /// Whether it contributes to later maps.
   [[nodiscard]] bool is_informative() const {
@@ -60,6 +61,8 @@ class RememberedMap {
     const int cell = finder_.at(x, y);
     return cell == CellFinder::kOutside ? nullptr : &cells_[static_cast<std::size_t>(cell)];
   }
+  /// Whether an obstacle stands in the part of a cell that contains a point in its level.
+  [[nodiscard]] bool has_obstacle_at(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] RememberedCell& cell(std::size_t i) { return cells_[i]; }
   [[nodiscard]] const Pose2& T_odom_level() const { return T_odom_level_; }
   /// Distance travelled when the scan was taken.
@@ -69,6 +72,8 @@ class RememberedMap {
 
  private:
   CellFinder finder_;
+  Eigen::Vector2d p_level_corner_;
+  double cell_m_;
   Pose2 T_odom_level_;
   double distance_travelled_m_;
   std::vector<RememberedCell> cells_;

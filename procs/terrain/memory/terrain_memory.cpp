@@ -78,6 +78,19 @@ void replace(TerrainCell& cell, const RememberedCell& before) {
   cell.low_m = before.low_m;
   cell.high_m = before.high_m;
   cell.clearance_m = std::min(cell.clearance_m, before.roof_m);
+  cell.obstacle_parts = before.obstacle_parts;
+}
+
+/// The parts of a cell of the map in which an earlier scan observed an obstacle.
+std::uint16_t obstacle_parts(const TerrainMap& map, const Eigen::Vector2i& at,
+                             const RememberedMap& before, const Pose2& T_before_now) {
+  const Eigen::Vector2d p_corner = map.p_level_corner + map.cell_m * at.cast<double>();
+  std::uint16_t parts = 0;
+  for (int part = 0; part < CellParts::kCount; ++part) {
+    const Eigen::Vector2d p = p_corner + map.cell_m * CellParts::centre(part);
+    if (before.has_obstacle_at(T_before_now * p)) parts |= static_cast<std::uint16_t>(1U << part);
+  }
+  return parts;
 }
 
 /// Merges a recalled cell into a cell of the map. Returns whether the cell was replaced.
@@ -157,6 +170,8 @@ void TerrainMemory::gather(const TerrainMap& map, const RememberedMap& before,
       if (stored_cell == nullptr || !stored_cell->is_informative()) continue;
       if (cell.is_informative() && !is_obstacle(*stored_cell, obstacle_m)) continue;
       cell = *stored_cell;
+      if (is_obstacle(cell, obstacle_m))
+        cell.obstacle_parts = obstacle_parts(map, {column, row}, before, T_before_now);
       const float dz = plane.at(map.centre(column, row).cast<float>());
       cell.low_m += dz;
       cell.high_m += dz;

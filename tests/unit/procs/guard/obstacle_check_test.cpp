@@ -164,5 +164,16 @@ TEST(ArcSweep, RotatesAboutTheLineOfTheRearAxleWithAckermannSteering) {
   EXPECT_GT(met, 100);
 }
 
+TEST(SideMargin, GrowsWithTheSpeedAndLeavesAThirdOfTheClearance) {
+  const ObstacleParams params;
+  EXPECT_DOUBLE_EQ(side_margin_m(params, 0.5), params.side_margin_m);
+  EXPECT_DOUBLE_EQ(side_margin_m(params, -0.5), params.side_margin_m);
+  EXPECT_DOUBLE_EQ(side_margin_m(params, 0.0), params.side_margin_min_m);
+  // Driving at 0.5 m/s for a clearance of 0.15 m, and slower in proportion.
+  for (const double clearance_m : {0.025, 0.05, 0.1, 0.15}) {
+    EXPECT_LE(side_margin_m(params, 0.5 * clearance_m / 0.15), 0.67 * clearance_m);
+  }
+}
+
 }  // namespace
 }  // namespace adit

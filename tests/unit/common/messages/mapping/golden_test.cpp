@@ -300,12 +300,13 @@ TEST(Golden, Terrain) {
   message.slope_tenth_mrad = {216, 17};
   message.step_mm = {57, 18};
   message.repulsion_mm = {38, 19};
+  message.obstacle_parts = {-32767, 0};  // the first and the last of 16 bits
   const float unknown = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   TerrainFragment fragment;
   fragment.header = {kUtime, 3, {12.5, -3.5, 0.75}, {-4.5, -10.5}, 0.125, 30, 20};
   fragment.cells = {
-      {Ground::kObserved, 12, 0.011F, 0.112F, 0.101F, 1.715F, 0.0216F, 0.057F, 0.038F},
+      {Ground::kObserved, 12, 0.011F, 0.112F, 0.101F, 1.715F, 0.0216F, 0.057F, 0.038F, 0x8001},
       {Ground::kNoReturn, 0, unknown, -0.013F, 0.014F, infinite, 0.0017F, 0.018F, 0.019F}};
   fragment.n_fragments = 8;
   fragment.fragment = 7;

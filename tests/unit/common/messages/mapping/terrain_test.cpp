@@ -32,7 +32,8 @@ TerrainMap terrain(int columns, int rows, std::int32_t id = 7) {
                      1.8F,
                      0.1F,
                      0.03F,
-                     0.07F};
+                     0.07F,
+                     static_cast<std::uint16_t>(37 * i)};
     if (cell.ground == Ground::kOccluded) cell = {Ground::kOccluded, 0, kUnknown, kUnknown};
     if (i % 7 == 0) cell.clearance_m = kInfinite;
     map.cells[static_cast<std::size_t>(i)] = cell;
@@ -60,6 +61,7 @@ void expect_near(const TerrainCell& a, const TerrainCell& b) {
   expect_near(a.slope_rad, b.slope_rad, kRad);
   expect_near(a.step_m, b.step_m, kM);
   expect_near(a.repulsion_m, b.repulsion_m, kM);
+  EXPECT_EQ(a.obstacle_parts, b.obstacle_parts);
 }
 
 TerrainCell round_tripped(const TerrainCell& cell) {
@@ -76,7 +78,7 @@ std::string_view rejection_after(const std::function<void(terrain_t&)>& change) 
 TEST(TerrainFragments, AreReassembledInAnyOrder) {
   const TerrainMap sent = terrain(200, 200);
   auto fragments = split(sent);
-  EXPECT_EQ(fragments.size(), 12U);  // 40,000 cells of 17 bytes
+  EXPECT_EQ(fragments.size(), 13U);  // 40,000 cells of 19 bytes
   std::rotate(fragments.begin(), fragments.begin() + 3, fragments.end());
   TerrainReassembler reassembler;
   std::optional<TerrainMap> received;

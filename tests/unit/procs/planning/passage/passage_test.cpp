@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/passage/passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "procs/planning/c_space/footprint.hpp"
+#include "procs/planning/planning.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kBendRadiusM = 20.0;  // of the bend
+constexpr double kWallM = 0.03;        // thickness of the walls
+constexpr double kPartErrorM = 0.018;  // half the diagonal of a part: points lie anywhere in it
+
+/// A tunnel through the origin along `heading_rad`, which bends to the left if `bent`.
+struct StraightOrBentTunnel {
+  double width_m = 1.5;
+  double heading_rad = 0.0;
+  bool bent = false;
+
+  /// Offset of a point from the centre line, positive to the left [m].
+  [[nodiscard]] double offset_m(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d left(-std::sin(heading_rad), std::cos(heading_rad));
+    if (!bent) return p.dot(left);
+    return kBendRadiusM - (p - kBendRadiusM * left).norm();
+  }
+};
+
+/// The terrain map of the tunnel: regions of 3 × 3 cells enlarge the walls.
+TerrainMap terrain_of_tunnel(const StraightOrBentTunnel& tunnel) {
+  TerrainMap map;
+  map.p_level_corner = {-4.05, -8.05};
+  map.cells = Grid2<TerrainCell>(160, 160);
+  const double half_m = tunnel.width_m / 2.0;
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const Eigen::Vector2i at = map.cells.cell(i);
+    const Eigen::Vector2d corner = map.p_level_corner + map.cell_m * at.cast<double>();
+    TerrainCell& cell = map.cells[i];
+    cell.clearance_m = static_cast<float>(kNoLimit);
+    for (int part = 0; part < CellParts::kCount; ++part) {
+      const double beside_m =
+          std::abs(tunnel.offset_m(corner + map.cell_m * CellParts::centre(part))) - half_m;
+      if (beside_m < kWallM) cell.ground = Ground::kObserved;
+      if (beside_m >= 0.0 && beside_m < kWallM)
+        cell.obstacle_parts |= static_cast<std::uint16_t>(1U << static_cast<unsigned>(part));
+    }
+  }
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const Eigen::Vector2i at = map.cells.cell(i);
+    for (int k = 0; k < 9; ++k) {
+      const TerrainCell near = map.cells.get(at + Eigen::Vector2i(k % 3 - 1, k / 3 - 1));
+      if (near.obstacle_parts != 0) map.cells[i].coefficient_m = map.cells[i].high_m = 1.0F;
+    }
+    map.cells[i].count = 20;
+  }
+  return map;
+}
+
+PlannedPath plan_along(const StraightOrBentTunnel& tunnel, bool behind = false) {
+  PlanGoal goal;
+  goal.distance_m = 7.0;
+  goal.T_odom_goal.theta = tunnel.heading_rad;
+  const Pose2 robot{0.0, 0.0, wrap_angle(tunnel.heading_rad + (behind ? std::numbers::pi : 0.0))};
+  return Planning(PlanningParams{}).plan(terrain_of_tunnel(tunnel), goal, robot);
+}
+
+/// Least distance of the body on the path to the true walls.
+double true_clearance_m(const PlannedPath& path, const StraightOrBentTunnel& tunnel) {
+  const Eigen::Vector2d half = body_outline(Vehicle{}).half;
+  double least_m = kNoLimit;
+  for (const PathPoint& point : path.points) {
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      for (const double y : {-1.0, 1.0}) {
+        const Eigen::Vector2d p = point.T_odom_body * Eigen::Vector2d(x * half.x(), y * half.y());
+        least_m = std::min(least_m, tunnel.width_m / 2.0 - std::abs(tunnel.offset_m(p)));
+      }
+    }
+  }
+  return least_m;
+}
+
+TEST(Passage, KeepsToTheMiddleAtAnyHeading) {
+  for (const double heading_rad : {0.0, 0.1, 0.3}) {
+    const StraightOrBentTunnel tunnel{1.32, heading_rad};
+    const PlannedPath path = plan_along(tunnel);
+    ASSERT_EQ(path.outcome, PlanOutcome::kFound) << heading_rad << ": " << path.reason;
+    EXPECT_GT(path.reached_m, 4.0);
+    EXPECT_GT(true_clearance_m(path, tunnel), 0.06 - 2.0 * kPartErrorM);
+  }
+}
+
+TEST(Passage, FollowsABend) {
+  const StraightOrBentTunnel tunnel{1.4, 0.0, true};
+  const PlannedPath path = plan_along(tunnel);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
+  EXPECT_GT(path.reached_m, 4.0);
+  // The body takes its length squared over eight radii of the width.
+  EXPECT_GT(true_clearance_m(path, tunnel), 0.1 - 0.036 - 2.0 * kPartErrorM);
+}
+
+TEST(Passage, LeadsInReverseWithTheRear) {
+  const StraightOrBentTunnel tunnel{1.32, 0.1};
+  const PlannedPath path = plan_along(tunnel, true);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
+  EXPECT_TRUE(std::ranges::all_of(path.points, &PathPoint::reverse));
+  EXPECT_GT(true_clearance_m(path, tunnel), 0.06 - 2.0 * kPartErrorM);
+}
+
+TEST(Passage, IsNoneWhereTheBodyDoesNotFit) {
+  for (const double width_m : {1.0, 1.15, 1.2}) {
+    EXPECT_NE(plan_along({width_m, 0.0}).outcome, PlanOutcome::kFound) << width_m;
+  }
+}
+
+}  // namespace
+}  // namespace adit

@@ -17,8 +17,8 @@ constexpr double kPathLengthMaxM = 1000.0;  // ten times the range of any scan
 constexpr double kStepMaxS = 0.2;           // maximum duration of a command
 
 // An error of the steering displaces the vehicle by its curvature times the square of the response:
-// where walls are near, and the robot slow, a quarter of it.
-constexpr double kResponseShareMin = 0.5;
+// where walls are near, and the robot slow, half of it.
+constexpr double kResponseShareMin = 0.7;
 constexpr double kAfterHoldM = 0.3;  // driven slowly after a hold: what caused it is still near
 
 double response_share(double clearance_m, double clearance_full_m) {
@@ -135,7 +135,8 @@ void Driving::update_progress(std::int64_t utime) {
   const auto failure_reason =
       monitor_.failure_reason(utime, {progress_->distance_m(T_odom_steered), state_.error,
                                       state_.progress_m, permission_.hold_reason()});
-  if (permission_.hold_reason()) slow_until_m_ = state_.progress_m + kAfterHoldM;
+  const bool is_under_way = state_.progress_m > 0.0;  // not held before it began
+  if (permission_.hold_reason() && is_under_way) slow_until_m_ = state_.progress_m + kAfterHoldM;
   if (!failure_reason) return;
   state_.kind = Kind::kFailed;
   state_.reason = *failure_reason;

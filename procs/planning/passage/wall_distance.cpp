@@ -62,7 +62,7 @@ std::uint16_t parts_between(const Eigen::Vector2i& at, const Eigen::Vector2d& a,
 }
 
 /// The blocked parts of a cell whose region shows an obstacle, but which has no points of it: none
-/// beside an obstacle; between two pieces of it, where it may continue between the beams, those on
+/// beside an obstacle; between two parts of it, where it may continue between the beams, those on
 /// the line between them; all where no points are near.
 std::uint16_t parts_without_points(const TerrainMap& terrain, const Eigen::Vector2i& at) {
   static const std::array<Eigen::Vector2i, 4> kHalf{Eigen::Vector2i{1, 0}, {1, 1}, {0, 1}, {-1, 1}};

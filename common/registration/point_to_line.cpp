@@ -135,7 +135,7 @@ class Accumulator {
            double capture) {
     const Eigen::Vector2d n_odom = rotate(point.normal);
     group_ = point.grade_group;
-    Eigen::Vector2d p_body = point.p - shift();
+    Eigen::Vector2d p_body = unshifted(point);
     Eigen::Vector2d p_odom = rotate(p_body) + T_.translation();
     const Surfel* q = correspondences.find(index, p_odom, n_odom, capture);
     if (q == nullptr) return;
@@ -179,18 +179,17 @@ class Accumulator {
     return {c_ * v.x() + s_ * v.y(), -s_ * v.x() + c_ * v.y()};
   }
 
-  /// The displacement of the group of the point that is being added.
-  [[nodiscard]] Eigen::Vector2d shift() const {
-    if (!group_) return Eigen::Vector2d::Zero();
-    return shifts_m_[static_cast<std::size_t>(*group_)];
+  /// Where the point would be without the displacement of its group.
+  [[nodiscard]] Eigen::Vector2d unshifted(const SurfacePoint& point) const {
+    if (!point.grade_group) return point.p;
+    return point.p - shifts_m_[static_cast<std::size_t>(*point.grade_group)];
   }
 
   /// Ground at this range that a beam at laser_m above the plane of the wheels hits has at least
   /// the grade laser_m / range relative to it.
   void add_prior(const SurfacePoint& point, double climb_m) {
-    const bool is_wall = *group_ >= kWallGroups;
     const double range_m = point.p.norm();
-    const double inverse_grade = is_wall ? params_.wall_lean_sd : range_m / params_.laser_m;
+    const double inverse_grade = range_m / params_.laser_m;
     const double pitch_m = std::hypot(params_.pitch_sd_rad, point.pitch_sd_rad) * range_m;
     GroupEquations& group = sums_.groups[static_cast<std::size_t>(*group_)];
     group.weights += point.weight;
@@ -239,8 +238,7 @@ class Accumulator {
 /// The state of a match: the pose, and the displacements of the grade groups.
 struct MatchState {
   Pose2 T_odom_body;
-  GradeShifts shifts_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero(),
-                       Eigen::Vector2d::Zero()};
+  GradeShifts shifts_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
 };
 
 NormalEquations linearise(const std::vector<SurfacePoint>& points, Correspondences& correspondences,

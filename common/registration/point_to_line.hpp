@@ -23,8 +23,6 @@ struct PointToLineParams {
   double laser_m = 0.6;  ///< height of the lasers above the ground that they may observe
   /// Standard deviation of the change of the body's pitch over the reference.
   double pitch_sd_rad = 0.001;
-  /// Standard deviation of the common lean of walls of a grade group [m/m]: rubble at rest has 1.3.
-  double wall_lean_sd = 0.5;
 
   template <class V>
   void visit(V& v) {
@@ -36,7 +34,6 @@ struct PointToLineParams {
     v("done_m", done_m, within(1e-9, 0.1));
     v("laser_m", laser_m, above(0.0));
     v("pitch_sd_rad", pitch_sd_rad, at_least(0.0));
-    v("wall_lean_sd", wall_lean_sd, at_least(0.0));
   }
 };
 
@@ -47,10 +44,7 @@ struct PosePrior {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-/// Grade groups: surfaces that may be ground or roof are 0 (ahead) and 1 (behind), walls are 2 and
-/// 3.
-constexpr int kWallGroups = 2;
-constexpr int kGradeGroups = 4;
+constexpr int kGradeGroups = 2;  ///< grade groups are 0 and 1
 
 struct PointToLineResult {
   Pose2 T_odom_body;
@@ -79,10 +73,9 @@ using MatchTrail = std::vector<MatchWaypoint>;
 /// Aligns the points of a scan with the reference: iterated closest point with distances along the
 /// surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
-/// measurement. Points of the first grade groups may lie on rising ground or a falling roof, where
-/// the place that a level beam hits moves as the body climbs, by at most range / laser_m for each
-/// metre of height: each group has a common unknown displacement, with this prior. That of walls
-/// has the prior wall_lean_sd: a front of rubble leans as one. Points are in no group where the
+/// measurement. Points of a grade group may lie on rising ground or a falling roof, where the place
+/// that a level beam hits moves as the body climbs, by at most range / laser_m for each metre of
+/// height: each group has a common unknown displacement, with this prior, except where the
 /// reference is steep. Without these groups the result does not depend on heights but by `lean_sd`.
 /// `trail` holds the iterates of earlier matches of the same scan that differ in their start only:
 /// a match stops when it joins the trail, and adds its own iterates if it converges or joins.

@@ -23,8 +23,7 @@ struct SurfacePoint {
   double variance = 0.0;                             ///< of the position along the normal [m²]
   double weight = 1.0;                               ///< lower where beams are dense
   double lean_sd = 0.2;  ///< standard deviation of the surface's distance at another height [m/m]
-  /// Of the points with which it shares an unknown inverse grade; empty: none, as of a wall along
-  /// the direction of travel.
+  /// Unknown inverse grade that it shares with other points; empty: the surface is a wall.
   std::optional<int> grade_group;
   /// For points of such a group: standard deviation of the pitch of the body, if it is not
   /// measured.

@@ -10,9 +10,6 @@
 namespace adit {
 namespace {
 
-// Of the attitude between two observations of one place.
-constexpr double kPitchErrorRad = 0.01;
-
 constexpr double kCosNormalMax = 0.5;  // 60°
 
 struct Offset {
@@ -56,14 +53,13 @@ void SurfelMap::insert(const std::vector<SurfacePoint>& points_body, const Pose2
     return Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y());
   };
   for (SurfacePoint point : points_body) {
-    const double z_error_m = kPitchErrorRad * point.p.norm();
     point.p = rotate(point.p) + T_odom_body.translation();
     point.normal = rotate(point.normal);
-    merge(point, z_error_m, odometer);
+    merge(point, odometer);
   }
 }
 
-void SurfelMap::merge(const SurfacePoint& point, double z_error_m, double odometer) {
+void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   Surfel* found = nullptr;
   double best = params_.spacing_m * params_.spacing_m;
   const int ix0 = cell_of(point.p.x() - params_.spacing_m);
@@ -82,8 +78,8 @@ void SurfelMap::merge(const SurfacePoint& point, double z_error_m, double odomet
     }
   }
   if (found == nullptr) {
-    surfels_.push_back({point.p, point.z_m, point.z_m + z_error_m, point.z_m - z_error_m,
-                        point.normal, point.normal_variance, point.variance, odometer, -1});
+    surfels_.push_back({point.p, point.z_m, point.z_m, point.z_m, point.normal,
+                        point.normal_variance, point.variance, odometer, -1});
     link(static_cast<int>(surfels_.size()) - 1);
     return;
   }
@@ -106,8 +102,8 @@ void SurfelMap::merge(const SurfacePoint& point, double z_error_m, double odomet
   const double share = share_of_new(found->variance, point.variance);
   found->p += share * found->normal.dot(point.p - found->p) * found->normal;
   found->z_m += share * (point.z_m - found->z_m);
-  found->z_min_m = std::min(found->z_min_m, point.z_m + z_error_m);
-  found->z_max_m = std::max(found->z_max_m, point.z_m - z_error_m);
+  found->z_min_m = std::min(found->z_min_m, point.z_m);
+  found->z_max_m = std::max(found->z_max_m, point.z_m);
   found->variance = share * point.variance;
 }
 

@@ -17,8 +17,8 @@ namespace adit {
 struct Surfel {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< [m]
   double z_m = 0.0;                             ///< mean height of the beams that hit it,
-  double z_min_m = 0.0;                         ///< and the range that they cover for certain:
-  double z_max_m = 0.0;                         ///< that of their ends, by the error of a height
+  double z_min_m = 0.0;                         ///< and their range
+  double z_max_m = 0.0;
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
   double normal_variance = 0.0;                      ///< [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
@@ -78,8 +78,7 @@ class SurfelMap {
   static constexpr int kSide = 512;  ///< buckets; the grid repeats every 128 m
   static int bucket(int ix, int iy) { return ((iy & (kSide - 1)) * kSide) + (ix & (kSide - 1)); }
 
-  /// `z_error_m`: bound of the error of its height.
-  void merge(const SurfacePoint& point, double z_error_m, double odometer);
+  void merge(const SurfacePoint& point, double odometer);
   void link(int surfel);
 
   SurfelMapParams params_;

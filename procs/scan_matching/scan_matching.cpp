@@ -13,7 +13,6 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/registration/degeneracy.hpp"
-#include "common/registration/point_to_line.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 
@@ -70,15 +69,15 @@ constexpr double kUnknownPitchSd = 0.05;
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
-/// The group of surfaces ahead or behind whose displacements are one unknown: those that may be
-/// rising ground, or the roof over falling ground, or walls, which are what a 3D scan shows or
-/// what is so near that no vehicle could climb it. None along the direction of travel.
-std::optional<int> grade_group_of(const SurfacePoint& point, double laser_m, bool is_wall) {
+/// The group of surfaces ahead or behind that may be rising ground, or the roof over falling
+/// ground: not walls along the direction of travel, and not so near that no vehicle could climb
+/// them.
+std::optional<int> grade_group_of(const SurfacePoint& point, double laser_m) {
   constexpr double kAlongMax = 0.5;  // sine of 30°
   constexpr double kGradeMax = 0.35;
-  if (point.has_normal() && std::abs(point.normal.x()) <= kAlongMax) return std::nullopt;
-  const int side = point.p.x() > 0.0 ? 0 : 1;
-  return is_wall || std::abs(point.p.x()) < laser_m / kGradeMax ? kWallGroups + side : side;
+  const bool along = point.has_normal() && std::abs(point.normal.x()) <= kAlongMax;
+  if (along || std::abs(point.p.x()) < laser_m / kGradeMax) return std::nullopt;
+  return point.p.x() > 0.0 ? 0 : 1;
 }
 
 /// Root mean square distance of the points: the mean displacement per radian of turn.
@@ -159,7 +158,7 @@ std::vector<std::int32_t> ScanMatching::unconfirmed_beams(const ScanObservation&
   if (!ground_.has_terrain()) return beams;
   const bool has_reference = reference_.has_laser(observation.laser);
   for (const SurfacePoint& point : observation.points) {
-    if (!point.grade_group || *point.grade_group >= kWallGroups) continue;
+    if (!point.grade_group) continue;
     if (has_reference && reference_.is_steep_at(point, T_odom_body)) continue;
     beams.push_back(point.beam);
   }
@@ -201,7 +200,7 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
       ground_beams.push_back(point.beam);
       continue;
     }
-    if (ground_may_slope) point.grade_group = grade_group_of(point, mount.height_m, !is_unknown);
+    if (ground_may_slope && is_unknown) point.grade_group = grade_group_of(point, mount.height_m);
     if (!attitude_.attitude()) point.pitch_sd_rad = kUnknownPitchSd;
     point.z_m += z_m_;
     walls.push_back(point);

@@ -52,7 +52,8 @@ struct CellParts {
   }
   /// The centre of a part, from 0 to 1 across the cell.
   [[nodiscard]] static Eigen::Vector2d centre(int part) {
-    return Eigen::Vector2d(part % kSide + 0.5, part / kSide + 0.5) / kSide;
+    const int row = part / kSide;
+    return Eigen::Vector2d(part % kSide + 0.5, row + 0.5) / kSide;
   }
 };
 

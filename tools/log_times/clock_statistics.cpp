@@ -32,7 +32,8 @@ void ClockStatistics::add(std::int64_t utime, std::size_t position) {
     if (!first_change_) first_change_ = last_change_;
   }
   previous_ = utime;
-  // A clock that was set back continues from there; a single outdated time is followed by newer ones.
+  // A clock that was set back continues from there; a single outdated time is followed by newer
+  // ones.
   latest_ = utime < latest_ - kReorderWindowUs ? utime : std::max(latest_, utime);
 }
 

@@ -135,8 +135,8 @@ void Driving::update_progress(std::int64_t utime) {
   const auto failure_reason =
       monitor_.failure_reason(utime, {progress_->distance_m(T_odom_steered), state_.error,
                                       state_.progress_m, permission_.hold_reason()});
-  const bool is_under_way = state_.progress_m > 0.0;  // not held before it began
-  if (permission_.hold_reason() && is_under_way) slow_until_m_ = state_.progress_m + kAfterHoldM;
+  const bool has_begun = state_.progress_m > 0.0;
+  if (permission_.hold_reason() && has_begun) slow_until_m_ = state_.progress_m + kAfterHoldM;
   if (!failure_reason) return;
   state_.kind = Kind::kFailed;
   state_.reason = *failure_reason;

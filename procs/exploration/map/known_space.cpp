@@ -347,7 +347,7 @@ SharedCells KnownSpace::shared_cells() const {
   SharedCells shared(atlas_, box());
   for (const auto& [id, entry] : entries_) {
     if (!entry.T_map_local || entry.layers.size() < 2) continue;
-    const auto add = [&](const Eigen::Vector2d& p_local) {
+    const auto add = [&, &entry = entry](const Eigen::Vector2d& p_local) {
       shared.add(cell_of(*entry.T_map_local * p_local, resolution_m()), entry.layers);
     };
     for (const Eigen::Vector2i& cell : entry.tile.free) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/picture/canvas.hpp"
 #include "common/picture/map_layout.hpp"
 #include "common/picture/palette.hpp"
@@ -88,9 +89,7 @@ double fineness(const MapLayout& layout, const std::vector<Pose2>& nodes) {
     gaps.push_back((nodes[i].translation() - nodes[i - 1].translation()).norm());
   }
   if (gaps.empty()) return 1.0;
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  const double desired_radius = 0.12 * *middle * layout.pixels_per_metre;
+  const double desired_radius = 0.12 * median(std::move(gaps)) * layout.pixels_per_metre;
   return std::clamp(desired_radius / (kNodeRadius * layout.unit), kFinest, 1.0);
 }
 

@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include <Eigen/LU>
-
 #include "common/geometry/symmetric_eigen.hpp"
 #include "common/geometry/symmetric_solve.hpp"
 #include "common/pose_graph/optimize.hpp"
@@ -16,8 +14,6 @@ namespace {
 /// Maximum share of the information on a relative pose that a removed constraint may have
 /// contributed.
 constexpr double kShareMax = 1.0 - 1e-9;
-
-constexpr double kInformationMin = 1.0 / (30.0 * 30.0);
 
 /// G with G Gᵀ = R, which may be singular.
 Eigen::Matrix3d square_root(const Eigen::Matrix3d& R) {
@@ -181,9 +177,8 @@ double GaussianField::objective_increase(const PoseConstraint& c) const {
   return increase_of(view.d, covariance_of(view, c), view.G);
 }
 
-Eigen::Matrix3d GaussianField::residual_covariance(const PoseConstraint& c) const {
-  const Eigen::Matrix3d information = c.information + kInformationMin * Eigen::Matrix3d::Identity();
-  return covariance_of(view_of(c), c) + information.inverse();
+Eigen::Matrix3d GaussianField::predicted_covariance(const PoseConstraint& c) const {
+  return covariance_of(view_of(c), c);
 }
 
 /// The parts of H⁻¹ for constraints of the factorised matrix, all by one recursion.

@@ -42,9 +42,9 @@ class GaussianField {
   /// constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) const;
 
-  /// The covariance of the residual of a constraint that is not in the field: Σ + R⁻¹ as above.
-  /// Directions without information in R have a standard deviation of 30 m or rad.
-  [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) const;
+  /// The covariance Σ as above: that of the relative pose which the constraint measures, in the
+  /// field as it is.
+  [[nodiscard]] Eigen::Matrix3d predicted_covariance(const PoseConstraint& constraint) const;
 
   /// The field without one of its constraints.
   struct LeaveOneOut {

@@ -85,7 +85,7 @@ TYPED_TEST(DriveAPath, PassesAPostAndArrives) {
   EXPECT_EQ(robot.state().path_id, 2);
   EXPECT_EQ(robot.run_state().failure, "");
   EXPECT_GT(robot.run_state().distance_travelled_m, 6.5);
-  EXPECT_LE(quantile(errors_m, 0.95), 0.10);
+  EXPECT_LE(absolute_quantile(errors_m, 0.95), 0.10);
   const Pose2 T_end_body = between(robot.path().points.back().T_odom_body, robot.truth());
   EXPECT_LE(T_end_body.translation().norm(), 0.05);
   EXPECT_LE(std::abs(T_end_body.theta), deg_to_rad(2.0));

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/pose_graph/pose_graph.hpp"
@@ -24,14 +25,6 @@ double cpu_seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e
 double mean(const std::vector<double>& values) {
   if (values.empty()) return 0.0;
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto last = static_cast<double>(values.size() - 1);
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(share * last);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 double greatest(const std::vector<double>& values) {

@@ -14,6 +14,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
@@ -122,10 +123,7 @@ Eigen::Vector3d estimate_ground_normal(const std::vector<Eigen::Vector3d>& point
     for (const auto& p : low) {
       distances.push_back(std::abs((p - plane.centroid).dot(plane.normal)));
     }
-    std::vector<double> sorted = distances;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double limit = std::max(2.0 * *middle, kNoiseM);
+    const double limit = std::max(2.0 * median(distances), kNoiseM);
     inliers.clear();
     for (std::size_t k = 0; k < low.size(); ++k) {
       if (distances[k] <= limit) inliers.push_back(low[k]);

@@ -8,6 +8,8 @@
 
 #include <Eigen/LU>
 
+#include "common/geometry/order_statistics.hpp"
+
 namespace adit {
 namespace {
 
@@ -57,8 +59,7 @@ void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix
 
 std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_closures,
                                                  std::int64_t utime) {
-  std::vector<int> groups;
-  for (std::size_t i = 0; i < loop_closures.size(); ++i) groups.push_back(kGroupByOdometry);
+  const std::vector<int> groups(loop_closures.size(), kGroupByOdometry);
   return decide(std::move(loop_closures), groups, utime);
 }
 
@@ -499,9 +500,7 @@ void LazyAssociation::estimate_noise() {
        trial().leave_one_out(chosen, trial().chosen_constraint(chosen.front()))) {
     errors.push_back(without.objective_decrease);
   }
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  noise_ = std::clamp(kNoiseMargin * *middle / kMedianChiSquare3, kNoiseMin, 1.0);
+  noise_ = std::clamp(kNoiseMargin * median(std::move(errors)) / kMedianChiSquare3, kNoiseMin, 1.0);
 }
 
 /// Where wrong loop closures fit by chance, a rejected one is not accepted for fitting now.

@@ -8,6 +8,8 @@
 #include <queue>
 #include <utility>
 
+#include "common/geometry/order_statistics.hpp"
+#include "procs/mapping/association/association_problem.hpp"
 #include "procs/mapping/association/odometry_chain.hpp"
 
 namespace adit {
@@ -19,12 +21,6 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d variances(const PoseConstraint& constraint) {
   return measured_by(constraint).covariance.diagonal();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -62,7 +58,7 @@ double LoopOrder::variance_of(const PoseConstraint& constraint) const {
 
 void LoopOrder::link(Links& links, int a, int b, double variance) {
   for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
-    const auto [at, is_new] = links[static_cast<std::size_t>(from)].try_emplace(to, variance);
+    const auto [at, is_new] = links[as_index(from)].try_emplace(to, variance);
     at->second = std::min(at->second, variance);
   }
 }
@@ -72,14 +68,14 @@ std::vector<double> LoopOrder::distances_from(const Links& links, int interval) 
   using Entry = std::pair<double, int>;
   std::vector<double> distances(links.size(), kFar);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  distances[static_cast<std::size_t>(interval)] = 0.0;
+  distances[as_index(interval)] = 0.0;
   queue.emplace(0.0, interval);
   while (!queue.empty()) {
     const auto [distance, at] = queue.top();
     queue.pop();
-    if (distance > distances[static_cast<std::size_t>(at)]) continue;
-    for (const auto& [next, variance] : links[static_cast<std::size_t>(at)]) {
-      double& known = distances[static_cast<std::size_t>(next)];
+    if (distance > distances[as_index(at)]) continue;
+    for (const auto& [next, variance] : links[as_index(at)]) {
+      double& known = distances[as_index(next)];
       if (distance + variance >= known) continue;
       known = distance + variance;
       queue.emplace(known, next);
@@ -91,14 +87,14 @@ std::vector<double> LoopOrder::distances_from(const Links& links, int interval) 
 std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int>& accepted) const {
   Links links = chain_;
   for (const int loop : accepted) {
-    const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
+    const PoseConstraint& c = loops_[as_index(loop)];
     link(links, interval_of(c.from), interval_of(c.to), variance_of(c));
   }
   std::map<int, std::vector<double>> from;  // distances from the intervals of pending loops
   std::vector<std::pair<double, int>> order;
   for (int loop = 0; loop < static_cast<int>(loops_.size()); ++loop) {
     if (!is_pending(loop)) continue;
-    const PoseConstraint& c = loops_[static_cast<std::size_t>(loop)];
+    const PoseConstraint& c = loops_[as_index(loop)];
     const auto [at, is_new] = from.try_emplace(interval_of(c.from));
     if (is_new) at->second = distances_from(links, interval_of(c.from));
     order.emplace_back(at->second[static_cast<std::size_t>(interval_of(c.to))], loop);
@@ -114,7 +110,7 @@ std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int
 }
 
 void LoopOrder::take(const std::vector<int>& loops) {
-  for (const int loop : loops) is_pending_[static_cast<std::size_t>(loop)] = false;
+  for (const int loop : loops) is_pending_[as_index(loop)] = false;
 }
 
 }  // namespace adit

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/pose_graph/pose_graph.hpp"
+#include "procs/mapping/association/association_problem.hpp"
 
 namespace adit {
 
@@ -26,15 +27,11 @@ class LoopOrder {
                                               const std::vector<int>& accepted) const;
   /// Takes loops from the pending ones.
   void take(const std::vector<int>& loops);
-  [[nodiscard]] bool is_pending(int loop) const {
-    return is_pending_[static_cast<std::size_t>(loop)];
-  }
+  [[nodiscard]] bool is_pending(int loop) const { return is_pending_[as_index(loop)]; }
 
  private:
   [[nodiscard]] double variance_of(const PoseConstraint& constraint) const;
-  [[nodiscard]] int interval_of(int node) const {
-    return interval_[static_cast<std::size_t>(node)];
-  }
+  [[nodiscard]] int interval_of(int node) const { return interval_[as_index(node)]; }
   /// The intervals linked to each interval, with the least variance between them.
   using Links = std::vector<std::map<int, double>>;
   static void link(Links& links, int a, int b, double variance);

@@ -44,9 +44,11 @@ class Trial {
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
     return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
   }
-  /// Covariance of the residual of one more constraint, if it is correct.
+  /// Covariance of the residual of one more constraint, if it is correct: of what is predicted and
+  /// of what is measured.
   [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) {
-    return field().residual_covariance(in_graph_from(constraint, hypothesis_, first_));
+    return field().predicted_covariance(in_graph_from(constraint, hypothesis_, first_)) +
+           measured_by(constraint).covariance;
   }
   /// For each of these chosen loop closures, the field without it: the decrease of the objective,
   /// and the increase by `query` then.

@@ -26,20 +26,19 @@ bool is_at(const Pose2& T_odom_a, const Pose2& T_odom_b) {
 void KnownClearance::add_pose(const Pose2& T_odom_body) {
   if (T_odom_body_) {
     const Pose2 step = between(*T_odom_body_, T_odom_body);
-    if (step.translation().norm() > kJumpM || std::abs(step.theta) > kJumpRad) {
-      cells_.clear();
-      points_ = 0;
-    }
+    if (step.translation().norm() > kJumpM || std::abs(step.theta) > kJumpRad) clear();
   }
   T_odom_body_ = T_odom_body;
 }
 
+void KnownClearance::clear() {
+  cells_.clear();
+  points_ = 0;
+}
+
 void KnownClearance::add_path(const PlannedPath& path) {
   if (path.outcome != PlanOutcome::kFound) return;
-  if (points_ + path.points.size() > kPointsMax) {
-    cells_.clear();
-    points_ = 0;
-  }
+  if (points_ + path.points.size() > kPointsMax) clear();
   for (const PathPoint& point : path.points) {
     const Eigen::Vector2d p = point.T_odom_body.translation();
     cells_[{cell_along(p.x()), cell_along(p.y())}].push_back(

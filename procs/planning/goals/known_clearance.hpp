@@ -30,6 +30,8 @@ class KnownClearance {
   void apply(PlannedPath& path) const;
 
  private:
+  void clear();
+
   struct Point {
     Pose2 T_odom_body;
     double clearance_m = 0.0;

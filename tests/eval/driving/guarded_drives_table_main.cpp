@@ -96,8 +96,8 @@ void run(int mines, int first, int scans, double lane_m) {
   std::printf("| guard stops with at least 0.35 m free, margins included | %d |\n",
               score.unnecessary_stops);
   std::printf("| true cross-track error, 95 %% / largest | %.1f / %.1f cm |\n",
-              100.0 * quantile(score.cross_track_error_m, 0.95),
-              100.0 * quantile(score.cross_track_error_m, 1.0));
+              100.0 * absolute_quantile(score.cross_track_error_m, 0.95),
+              100.0 * absolute_quantile(score.cross_track_error_m, 1.0));
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ std::vector<Row> rows(int drives, int corridors, double radius_m) {
 }
 
 void print(const Score& score) {
-  std::printf(" %.1f / %.1f", 100.0 * quantile(score.cross_track_error_m, 0.95),
-              100.0 * quantile(score.cross_track_error_m, 1.0));
+  std::printf(" %.1f / %.1f", 100.0 * absolute_quantile(score.cross_track_error_m, 0.95),
+              100.0 * absolute_quantile(score.cross_track_error_m, 1.0));
   if (score.arrived < score.drives) std::printf(", %d lost", score.drives - score.arrived);
   std::printf(" |");
 }
@@ -163,15 +163,15 @@ void run(int drives, int corridors, double radius_m) {
   line("drives", " %.0f |", [](const Score& s) { return 1.0 * s.drives; });
   line("arrived [%]", " %.1f |", [](const Score& s) { return 100.0 * s.arrived / s.drives; });
   line("final position error, 95 % [cm]", " %.1f |",
-       [](const Score& s) { return 100.0 * quantile(s.end_m, 0.95); });
+       [](const Score& s) { return 100.0 * absolute_quantile(s.end_m, 0.95); });
   line("final heading error, 95 % [°]", " %.1f |",
-       [](const Score& s) { return rad_to_deg(quantile(s.end_rad, 0.95)); });
+       [](const Score& s) { return rad_to_deg(absolute_quantile(s.end_rad, 0.95)); });
   line("oscillations, mean [1/m]", " %.2f |",
        [](const Score& s) { return mean(s.oscillations_per_m); });
   line("oscillations, 95 % [1/m]", " %.2f |",
-       [](const Score& s) { return quantile(s.oscillations_per_m, 0.95); });
+       [](const Score& s) { return absolute_quantile(s.oscillations_per_m, 0.95); });
   line("RMS steering rate, 95 % [1/m/s]", " %.2f |",
-       [](const Score& s) { return quantile(s.steering_rms_1_m_s, 0.95); });
+       [](const Score& s) { return absolute_quantile(s.steering_rms_1_m_s, 0.95); });
   print_stops(drives);
 }
 

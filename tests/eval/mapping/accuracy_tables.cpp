@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/eval/mapping/accuracy_tables.hpp"
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "common/geometry/order_statistics.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/support/recordings.hpp"
@@ -59,12 +59,6 @@ Trajectory poses_of(const std::filesystem::path& log) {
     poses.push_back({scan->scan.utime, scan->T_log_laser});
   }
   return poses;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Evaluation read_results(const std::filesystem::path& folder) {

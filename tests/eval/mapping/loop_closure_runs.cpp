@@ -9,6 +9,7 @@
 
 #include <Eigen/LU>
 
+#include "common/geometry/order_statistics.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 #include "tools/sim/sample_run.hpp"
@@ -113,13 +114,6 @@ InterpolationDistance interpolation_distance(const Trajectory& trajectory, std::
 bool is_accurate(const Trajectory& trajectory, const Relation& relation) {
   return interpolation_distance(trajectory, relation.utime_1).small() &&
          interpolation_distance(trajectory, relation.utime_2).small();
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

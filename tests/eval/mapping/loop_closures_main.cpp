@@ -18,6 +18,7 @@
 #include <Eigen/Dense>
 
 #include "common/config/config.hpp"
+#include "common/geometry/order_statistics.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
 #include "tests/eval/mapping/loop_closure_runs.hpp"
 #include "tests/eval/mapping/quadrilaterals.hpp"
@@ -37,13 +38,6 @@ struct Options {
   MapMatchingParams matching;
   bool verbose = false;
 };
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto i = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + i, values.end());
-  return values[i];
-}
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;

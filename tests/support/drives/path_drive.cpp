@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/geometry/pose2.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 #include "tests/support/scores/cross_track_error.hpp"
@@ -176,11 +178,9 @@ PathDrive drive_path(const PlannedPath& path, const PathDriveSetup& setup) {
   return Run(path, setup, site).drive();
 }
 
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
+double absolute_quantile(std::vector<double> values, double share) {
   for (double& value : values) value = std::abs(value);
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return quantile(std::move(values), share);
 }
 
 }  // namespace adit

@@ -84,6 +84,6 @@ struct PathDrive {
 PathDrive drive_path(const PlannedPath& path, const PathDriveSetup& setup);
 
 /// Quantile of the absolute values; `share` is from 0 to 1. 0 if there are no values.
-double quantile(std::vector<double> values, double share);
+double absolute_quantile(std::vector<double> values, double share);
 
 }  // namespace adit

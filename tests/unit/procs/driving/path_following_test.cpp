@@ -38,7 +38,7 @@ void expect_small_error(const PlannedPath& path, PathDriveSetup setup) {
     cross_track_error_m.insert(cross_track_error_m.end(), drive.cross_track_error_m.begin(),
                                drive.cross_track_error_m.end());
   }
-  EXPECT_LE(quantile(cross_track_error_m, 0.95), kErrorMaxM);
+  EXPECT_LE(absolute_quantile(cross_track_error_m, 0.95), kErrorMaxM);
 }
 
 TEST_P(PathFollowing, StaysOnEachShapeInBothDirections) {
@@ -80,7 +80,7 @@ TEST_P(PathFollowing, CorrectsAStartBesideThePath) {
       // After 5 m, six times the response, the remaining error is due to side slip.
       const std::vector<double> late(drive.cross_track_error_m.begin() + 250,
                                      drive.cross_track_error_m.end());
-      EXPECT_LE(quantile(late, 1.0), 0.05);
+      EXPECT_LE(absolute_quantile(late, 1.0), 0.05);
     }
   }
 }

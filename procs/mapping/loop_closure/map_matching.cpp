@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -76,6 +77,7 @@ class MapMatcher {
     newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
     if (older.empty()) return;
     older_alone_.insert(flat(older.front().walls->points), older.front().T_older_walls, 0.0);
+    older_alone_path_ = older.front().walls->path;
     older_points_ = evenly_sampled(older.front().walls->points, params.points_max);
     older_step_m_ = older.front().walls->length_m / std::max<std::size_t>(1, older_points_.size());
   }
@@ -213,8 +215,28 @@ class MapMatcher {
     if (!in_gate(alternative.T_older_newer, constrained.covariance + floor_covariance)) {
       return std::nullopt;
     }
-    alternative.information = with_added_covariance(constrained.information, floor_covariance);
+    alternative.information = with_added_covariance(
+        constrained.information, floor_covariance + far_view_covariance(alternative.T_older_newer));
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
+  }
+
+  /// The error of a match of two places that are far from each other, in the newer frame: along the
+  /// line between the nearest points of their paths.
+  [[nodiscard]] Eigen::Matrix3d far_view_covariance(const Pose2& T) const {
+    const Pose2 T_newer_older = T.inverse();
+    if (older_alone_path_.empty() || newer_path_.empty()) return Eigen::Matrix3d::Zero();
+    Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::max() / 4.0);
+    for (const Eigen::Vector3d& q : older_alone_path_) {
+      const Eigen::Vector2d there = T_newer_older * Eigen::Vector2d(q.head<2>());
+      for (const Eigen::Vector3d& p : newer_path_) {
+        const Eigen::Vector2d apart = there - p.head<2>();
+        if (apart.squaredNorm() < nearest.squaredNorm()) nearest = apart;
+      }
+    }
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    const Eigen::Vector2d root = params_.far_view_sd_per_m * nearest.norm() * nearest;
+    covariance.topLeftCorner<2, 2>() = root * root.transpose();
+    return covariance;
   }
 
   /// Whether the pose, with this covariance, is in the gate of the prediction.
@@ -278,6 +300,7 @@ class MapMatcher {
   SurfelMap older_;  ///< with its neighbours
   SurfelMap older_alone_;
   std::vector<Eigen::Vector3d> older_path_;
+  std::vector<Eigen::Vector3d> older_alone_path_;
   std::vector<LocalWalls::View> older_views_;
   double newer_step_m_ = 0.0;  ///< length of wall per point
   double older_step_m_ = 0.0;

@@ -73,6 +73,24 @@ TEST(MapMatching, AddsACovarianceAndLeavesUnknownDirectionsUnknown) {
   EXPECT_TRUE(sum.isApprox(expected, 1e-9)) << sum;
 }
 
+/// Far walls show each place the sides of their bumps that face it, which are not the same.
+TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
+  const test::WallWorld mine = test::sample_mine(3);
+  const Pose2 T_world_older{8.0, 0.0, 0.0};
+  const auto sd_along = [&](double distance_m) {
+    const Pose2 truth{distance_m, 0.0, 0.0};
+    const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
+                             walls_of(mine, T_world_older), around(truth, 0.5, 0.05));
+    EXPECT_FALSE(found.empty()) << distance_m;
+    if (found.empty()) return 0.0;
+    return std::sqrt(found.front().information.inverse()(0, 0));
+  };
+  EXPECT_LT(sd_along(2.0), 0.03);  // that of the walls
+  const double sd_far = sd_along(10.0);
+  EXPECT_GT(sd_far, 0.025);
+  EXPECT_LT(sd_far, 0.05);
+}
+
 TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
   const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};

@@ -101,8 +101,7 @@ double ArcSweep::turn_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to
 
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s) {
   const double speed = std::abs(speed_m_s);
-  return speed * (params.reaction_s + age_s) + 0.5 * speed * speed / params.braking_m_s2 +
-         params.margin_m;
+  return speed * (params.reaction_s + age_s) + 0.5 * speed * speed / params.braking_m_s2;
 }
 
 double side_margin_m(const ObstacleParams& params, double speed_m_s) {

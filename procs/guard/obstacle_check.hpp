@@ -69,19 +69,21 @@ class ArcSweep {
 };
 
 struct ObstacleParams {
-  double reaction_s = 0.1;           ///< from a scan to the brakes
-  double braking_m_s2 = 0.6;         ///< guaranteed by the vehicle
-  double margin_m = 0.15;            ///< remaining distance; larger than the blind range
-  double side_margin_m = 0.05;       ///< beside the footprint, from 0.25 m/s on
-  double side_margin_s = 0.2;        ///< the same for each m/s, below that
-  double side_margin_min_m = 0.015;  ///< three standard deviations of a range
-  double release_margin_m = 0.03;    ///< free beyond the stopping distance before a release
+  double reaction_s = 0.1;          ///< from a scan to the brakes
+  double braking_m_s2 = 0.6;        ///< guaranteed by the vehicle
+  double margin_m = 0.15;           ///< remaining distance; larger than the blind range
+  double flank_margin_m = 0.05;     ///< the same for remembered points, which are known up to it
+  double side_margin_m = 0.05;      ///< beside the footprint, from 0.25 m/s on
+  double side_margin_s = 0.2;       ///< the same for each m/s, below that
+  double side_margin_min_m = 0.01;  ///< three standard deviations of the mean of three ranges
+  double release_margin_m = 0.03;   ///< free beyond the stopping distance before a release
 
   template <class V>
   void visit(V& v) {
     v("reaction_s", reaction_s, within(0.0, 5.0));
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("margin_m", margin_m, at_least(0.0));
+    v("flank_margin_m", flank_margin_m, at_least(0.0));
     v("side_margin_m", side_margin_m, at_least(0.0));
     v("side_margin_s", side_margin_s, at_least(0.0));
     v("side_margin_min_m", side_margin_min_m, at_least(0.0));
@@ -89,7 +91,7 @@ struct ObstacleParams {
   }
 };
 
-/// Stopping distance with the margin [m], on data of the age `age_s`.
+/// Stopping distance without a margin [m], on data of the age `age_s`.
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s);
 
 /// Margin beside the footprint [m]. The vehicle leaves an arc the less the shorter it takes to

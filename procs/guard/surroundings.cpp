@@ -41,22 +41,23 @@ void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at
 std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, const char* arc,
                                                      bool for_release, std::int64_t now_us) const {
   if (direction_of(motion) == 0) return std::nullopt;
-  const auto within_m = [&](double age_s) {
-    return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) +
+  const auto within_m = [&](double age_s, double margin_m) {
+    return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) + margin_m +
            (for_release ? obstacle_.release_margin_m : 0.0);
   };
   const ArcSweep sweep(vehicle_, motion, side_margin_m(obstacle_, motion.speed_m_s));
   for (const LaserMonitor* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(now_us);
     if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since
-    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, within_m(*age_s));
+    const double limit_m = within_m(*age_s, obstacle_.margin_m);
+    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, limit_m);
     if (!std::isinf(distance_m))
-      return obstacle_text("obstacle", distance_m, within_m(*age_s), motion, arc, for_release);
+      return obstacle_text("obstacle", distance_m, limit_m, motion, arc, for_release);
   }
-  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, within_m(0.0));
+  const double limit_m = within_m(0.0, obstacle_.flank_margin_m);
+  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, limit_m);
   if (!std::isinf(distance_m))
-    return obstacle_text("remembered obstacle", distance_m, within_m(0.0), motion, arc,
-                         for_release);
+    return obstacle_text("remembered obstacle", distance_m, limit_m, motion, arc, for_release);
   return std::nullopt;
 }
 

@@ -164,14 +164,16 @@ TEST(ArcSweep, RotatesAboutTheLineOfTheRearAxleWithAckermannSteering) {
   EXPECT_GT(met, 100);
 }
 
-TEST(SideMargin, GrowsWithTheSpeedAndLeavesAThirdOfTheClearance) {
+TEST(SideMargin, GrowsWithTheSpeedAndLeavesRoomForErrors) {
   const ObstacleParams params;
   EXPECT_DOUBLE_EQ(side_margin_m(params, 0.5), params.side_margin_m);
   EXPECT_DOUBLE_EQ(side_margin_m(params, -0.5), params.side_margin_m);
   EXPECT_DOUBLE_EQ(side_margin_m(params, 0.0), params.side_margin_min_m);
-  // Driving at 0.5 m/s for a clearance of 0.15 m, and slower in proportion.
-  for (const double clearance_m : {0.025, 0.05, 0.1, 0.15}) {
-    EXPECT_LE(side_margin_m(params, 0.5 * clearance_m / 0.15), 0.67 * clearance_m);
+  // Driving creeps up to a clearance of 0.03 m, and drives at 0.5 m/s from 0.15 m on.
+  EXPECT_DOUBLE_EQ(side_margin_m(params, 0.05), params.side_margin_min_m);
+  for (const double clearance_m : {0.045, 0.06, 0.1, 0.15}) {
+    const double speed_m_s = 0.5 * (clearance_m - 0.03) / 0.12;
+    EXPECT_GE(clearance_m - side_margin_m(params, speed_m_s), 0.03) << clearance_m;
   }
 }
 

@@ -14,7 +14,8 @@
 namespace adit {
 namespace {
 
-constexpr double kStartM = 1.2;  // over which walls beside the robot may be as near as they are
+constexpr double kStartM = 1.2;  // over which walls beside the robot may be as near as they are,
+constexpr double kStartNearerM = 0.01;  // or nearer, until it has turned into the middle
 constexpr int kSoftenings = 5;
 constexpr double kStiffnessMax = 64.0;
 constexpr double kSimilarM = 0.3;      // of progress; then the clearance counts
@@ -37,7 +38,7 @@ std::vector<double> clearances_m(const ElasticBand& band, const std::vector<doub
   double least_m = clearance_min_m;
   for (std::size_t i = 0; i < band.size(); ++i) {
     const double clearance_m = walls.clearance_m(band.pose_at(i));
-    if (i == 0) least_m = std::min(clearance_min_m, clearance_m);
+    if (i == 0) least_m = std::min(clearance_min_m, clearance_m - kStartNearerM);
     if (clearance_m < (lengths_m[i] < kStartM ? least_m : clearance_min_m)) break;
     if (std::abs(band.curvature_1_m(i)) > curvature_max) break;
     clearances_m.push_back(clearance_m);

@@ -62,6 +62,7 @@ Comparison compare(const ArcMotion& motion, std::uint32_t seed) {
     const double margin_m = in_margin ? 0.0 : kMarginM;
     if (outside_m(vehicle, 0.0, {}, p) <= 0.0) continue;
     const double distance_m = sweep.distance_m(p);
+    if (in_margin && distance_m == 0.0) continue;  // the vehicle turns towards it
     const double stepped_m = stepped_distance_m(vehicle, margin_m, motion, p);
     EXPECT_LE(distance_m, stepped_m + 1e-9) << p.transpose();  // rounding
     if (distance_m >= kReachM - kStepM) continue;
@@ -108,6 +109,20 @@ TEST(ArcSweep, AllowsToContinueBesideAnObstacleWithinTheMargin) {
             0.3);  // but not into the obstacle
   EXPECT_GT(ArcSweep(vehicle, {0.4, -0.1}, 0.05).distance_m(beside),
             1.0);  // nor with the rear into it
+}
+
+/// Side slip takes the vehicle nearer than the arc says.
+TEST(ArcSweep, DoesNotTurnTowardsAnObstacleWithinTheMargin) {
+  const Vehicle vehicle;
+  const Eigen::Vector2d at_the_front(1.0, 0.605);
+  const auto distance_m = [&](double speed_m_s, double curvature_1_m) {
+    return ArcSweep(vehicle, {speed_m_s, curvature_1_m}, 0.01).distance_m(at_the_front);
+  };
+  EXPECT_EQ(distance_m(0.05, 0.05), 0.0);
+  EXPECT_GT(distance_m(0.05, -0.05), 1.0);
+  EXPECT_EQ(distance_m(-0.05, -0.05), 0.0);  // in reverse the front swings out
+  EXPECT_GT(distance_m(-0.05, 0.05), 1.0);
+  EXPECT_GT(distance_m(0.05, 0.005), 0.15);  // an error of the steering
 }
 
 TEST(ArcSweep, AllowsToLeaveAnObstacleInsideTheFootprint) {

@@ -15,6 +15,9 @@ struct SpeedParams {
   double acceleration_m_s2 = 0.3;  ///< also for planned braking
   double lateral_acceleration_m_s2 = 0.1;
   double clearance_full_m = 0.15;  ///< clearance from which on the speed is not reduced
+  /// Clearance at which the robot creeps, as errors of the path and of the steering take it. The
+  /// margin of the guard, which grows with the speed, leaves it.
+  double clearance_creep_m = 0.03;
 
   template <class V>
   void visit(V& v) {
@@ -23,6 +26,7 @@ struct SpeedParams {
     v("acceleration_m_s2", acceleration_m_s2, above(0.0));
     v("lateral_acceleration_m_s2", lateral_acceleration_m_s2, above(0.0));
     v("clearance_full_m", clearance_full_m, above(0.0));
+    v("clearance_creep_m", clearance_creep_m, at_least(0.0));
   }
 };
 

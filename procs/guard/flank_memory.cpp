@@ -3,6 +3,7 @@
 #include "procs/guard/flank_memory.hpp"
 
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Geometry>
 
@@ -14,9 +15,21 @@ constexpr double kBesideM = 1.0;     // maximum distance from the flank
 constexpr double kViewEdgeM = 0.15;  // ahead of a laser; more than the vehicle drives between scans
 constexpr double kNeighboursM = 0.1;  // maximum distance; a single beam does not count
 constexpr double kJumpM = 0.5;        // maximum step between poses
+constexpr double kSurfaceM = 0.03;    // between points of neighbouring beams on one surface
 
 bool are_neighbours(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return (a - b).norm() <= kNeighboursM;  // false for NaN
+}
+
+/// The mean of a point and those of the beams beside it, if all three are on one surface: a stored
+/// point counts alone and for long, and the farthest of many errors would count.
+Eigen::Vector2d smoothed(const std::vector<Eigen::Vector2d>& p_body, std::size_t i) {
+  if (i == 0 || i + 1 >= p_body.size()) return p_body[i];
+  const Eigen::Vector2d& before = p_body[i - 1];
+  const Eigen::Vector2d& after = p_body[i + 1];
+  const bool on_one_surface =
+      (p_body[i] - before).norm() <= kSurfaceM && (after - p_body[i]).norm() <= kSurfaceM;
+  return on_one_surface ? Eigen::Vector2d((before + p_body[i] + after) / 3.0) : p_body[i];
 }
 
 std::pair<double, double> cell_of(const Eigen::Vector2d& p_odom) {
@@ -53,7 +66,7 @@ void FlankMemory::observe(LaserId laser, const LaserPoints& points) {
   for (std::size_t i = 1; i < points.p_body.size(); ++i) {
     const Eigen::Vector2d& p = points.p_body[i];
     if (!is_at_view_edge(laser, p) || !are_neighbours(p, points.p_body[i - 1])) continue;
-    const Eigen::Vector2d p_odom = T_odom_body * p;
+    const Eigen::Vector2d p_odom = T_odom_body * smoothed(points.p_body, i);
     p_odom_.emplace(cell_of(p_odom), p_odom);
   }
   update_points();

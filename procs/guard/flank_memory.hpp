@@ -20,8 +20,9 @@ namespace adit {
 /// Remembers obstacles beside the vehicle, between its lasers. Each laser scans 90° to either side
 /// and nothing behind itself: neither sees a post that the vehicle is passing, and its flank could
 /// hit the post in a turn. The last points that a laser has seen there are therefore stored in
-/// odom, up to a metre from either flank, one point for each cell of 4 cm. They are deleted when
-/// they come into view again, where the footprint has been, and when the pose jumps.
+/// odom, up to a metre from either flank, one point for each cell of 4 cm, where possible the mean
+/// of three beams: of errors of 5 mm 3 mm remain. They are deleted when they come into view again,
+/// where the footprint has been, and when the pose jumps.
 class FlankMemory {
  public:
   FlankMemory(const Vehicle& vehicle, const Lasers& lasers);

@@ -13,6 +13,8 @@ namespace {
 constexpr double kNoContact = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kStraight = 1e-5;  // curvature [1/m]: 0.02 mm beside a line after 2 m
+constexpr double kTurnM = 0.15;     // along the arc, over which a close point comes nearer
+constexpr double kNearerM = 0.002;  // less is an error of the steering
 constexpr double kRounding = 1e-9;  // of a point on an edge [rad]
 
 double clamped_curvature(const Vehicle& vehicle, double curvature_1_m) {
@@ -51,9 +53,18 @@ ArcSweep::Rectangle ArcSweep::rectangle(double x_m, double y_m) const {
 
 double ArcSweep::distance_m(const Eigen::Vector2d& p_body) const {
   if (footprint_.contains(p_body)) return p_body.x() * direction_ > 0.0 ? 0.0 : kNoContact;
-  const Rectangle& footprint =
-      widened_footprint_.contains(p_body) ? footprint_ : widened_footprint_;
+  const bool is_close = widened_footprint_.contains(p_body);
+  if (is_close && turns_towards(p_body)) return 0.0;
+  const Rectangle& footprint = is_close ? footprint_ : widened_footprint_;
   return straight_ ? straight_distance_m(p_body, footprint) : distance_m(p_body, footprint);
+}
+
+/// Whether the arc brings a point beside the body nearer to its flank.
+bool ArcSweep::turns_towards(const Eigen::Vector2d& p_body) const {
+  if (straight_) return false;
+  const double side = std::copysign(1.0, p_body.y());
+  const double nearer_m = kTurnM * direction_ * curvature_1_m_ * (p_body.x() - centre_.x()) * side;
+  return nearer_m > kNearerM;
 }
 
 double ArcSweep::reach_m(double distance_m) const {
@@ -101,8 +112,7 @@ double ArcSweep::turn_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to
 
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s) {
   const double speed = std::abs(speed_m_s);
-  return speed * (params.reaction_s + age_s) + 0.5 * speed * speed / params.braking_m_s2 +
-         params.margin_m;
+  return speed * (params.reaction_s + age_s) + 0.5 * speed * speed / params.braking_m_s2;
 }
 
 double side_margin_m(const ObstacleParams& params, double speed_m_s) {

@@ -33,7 +33,8 @@ class ArcSweep {
  public:
   /// `speed_m_s` must not be 0; only its sign counts. The curvature is clamped to that of the
   /// vehicle. The footprint is widened by `side_margin_m` on either side, except for points that
-  /// are already within the margin: the vehicle may drive on beside a close obstacle.
+  /// are already within the margin: the vehicle may drive on beside a close obstacle, but not turn
+  /// towards it, as side slip and errors of ranges take the rest of the margin.
   ArcSweep(const Vehicle& vehicle, const ArcMotion& motion, double side_margin_m);
 
   /// Distance of the body's origin [m] until the footprint meets the point (body frame); infinity
@@ -54,6 +55,7 @@ class ArcSweep {
     [[nodiscard]] bool contains(const Eigen::Vector2d& p_body) const;
   };
 
+  [[nodiscard]] bool turns_towards(const Eigen::Vector2d& p_body) const;
   [[nodiscard]] Rectangle rectangle(double x_m, double y_m) const;
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_body, const Rectangle& footprint) const;
   [[nodiscard]] double straight_distance_m(const Eigen::Vector2d& p_body,
@@ -69,19 +71,23 @@ class ArcSweep {
 };
 
 struct ObstacleParams {
-  double reaction_s = 0.1;           ///< from a scan to the brakes
-  double braking_m_s2 = 0.6;         ///< guaranteed by the vehicle
-  double margin_m = 0.15;            ///< remaining distance; larger than the blind range
-  double side_margin_m = 0.05;       ///< beside the footprint, from 0.25 m/s on
-  double side_margin_s = 0.2;        ///< the same for each m/s, below that
-  double side_margin_min_m = 0.015;  ///< three standard deviations of a range
-  double release_margin_m = 0.03;    ///< free beyond the stopping distance before a release
+  double reaction_s = 0.1;    ///< from a scan to the brakes
+  double braking_m_s2 = 0.6;  ///< guaranteed by the vehicle
+  double margin_m = 0.15;     ///< remaining distance; larger than the blind range
+  /// The same for what only the side margin meets, such as a wall beside the path while the vehicle
+  /// steers.
+  double flank_margin_m = 0.05;
+  double side_margin_m = 0.05;      ///< beside the footprint, from 0.25 m/s on
+  double side_margin_s = 0.2;       ///< the same for each m/s, below that
+  double side_margin_min_m = 0.01;  ///< three standard deviations of the mean of three ranges
+  double release_margin_m = 0.03;   ///< free beyond the stopping distance before a release
 
   template <class V>
   void visit(V& v) {
     v("reaction_s", reaction_s, within(0.0, 5.0));
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("margin_m", margin_m, at_least(0.0));
+    v("flank_margin_m", flank_margin_m, at_least(0.0));
     v("side_margin_m", side_margin_m, at_least(0.0));
     v("side_margin_s", side_margin_s, at_least(0.0));
     v("side_margin_min_m", side_margin_min_m, at_least(0.0));
@@ -89,7 +95,7 @@ struct ObstacleParams {
   }
 };
 
-/// Stopping distance with the margin [m], on data of the age `age_s`.
+/// Stopping distance without a margin [m], on data of the age `age_s`.
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s);
 
 /// Margin beside the footprint [m]. The vehicle leaves an arc the less the shorter it takes to

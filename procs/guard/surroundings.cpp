@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/guard/surroundings.hpp"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,22 +43,28 @@ void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at
 std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, const char* arc,
                                                      bool for_release, std::int64_t now_us) const {
   if (direction_of(motion) == 0) return std::nullopt;
-  const auto within_m = [&](double age_s) {
-    return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) +
+  const auto within_m = [&](double age_s, double margin_m) {
+    return stopping_distance_m(obstacle_, motion.speed_m_s, age_s) + margin_m +
            (for_release ? obstacle_.release_margin_m : 0.0);
   };
-  const ArcSweep sweep(vehicle_, motion, side_margin_m(obstacle_, motion.speed_m_s));
-  for (const LaserMonitor* laser : {&front_, &rear_}) {
-    const auto age_s = laser->age_s(now_us);
-    if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since
-    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, within_m(*age_s));
+  const ArcSweep footprint(vehicle_, motion, 0.0);
+  const ArcSweep widened(vehicle_, motion, side_margin_m(obstacle_, motion.speed_m_s));
+  const std::array sweeps{std::pair(&footprint, obstacle_.margin_m),
+                          std::pair(&widened, obstacle_.flank_margin_m)};
+  for (const auto& [sweep, margin_m] : sweeps) {
+    for (const LaserMonitor* laser : {&front_, &rear_}) {
+      const auto age_s = laser->age_s(now_us);
+      if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since
+      const double limit_m = within_m(*age_s, margin_m);
+      const double distance_m = distance_to_obstacle_m(laser->points(), *sweep, limit_m);
+      if (!std::isinf(distance_m))
+        return obstacle_text("obstacle", distance_m, limit_m, motion, arc, for_release);
+    }
+    const double limit_m = within_m(0.0, margin_m);
+    const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), *sweep, limit_m);
     if (!std::isinf(distance_m))
-      return obstacle_text("obstacle", distance_m, within_m(*age_s), motion, arc, for_release);
+      return obstacle_text("remembered obstacle", distance_m, limit_m, motion, arc, for_release);
   }
-  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, within_m(0.0));
-  if (!std::isinf(distance_m))
-    return obstacle_text("remembered obstacle", distance_m, within_m(0.0), motion, arc,
-                         for_release);
   return std::nullopt;
 }
 

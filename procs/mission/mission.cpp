@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mission/mission.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -51,6 +53,20 @@ Evidence evidence_of(const PlannedPath& path) {
   // Without a blocking cell, no ground was observed to block.
   if (path.outcome == PlanOutcome::kBlocked && !path.blocking.empty()) return Evidence::kObserved;
   return path.outcome == PlanOutcome::kNarrow ? Evidence::kNarrow : Evidence::kUnobserved;
+}
+
+/// The pose at a distance along a route, with the x axis along it. Empty without a segment there.
+std::optional<Pose2> pose_along(const std::vector<Eigen::Vector2d>& route_odom, double distance_m) {
+  for (std::size_t i = 1; i < route_odom.size(); ++i) {
+    const Eigen::Vector2d leg = route_odom[i] - route_odom[i - 1];
+    const double leg_m = leg.norm();
+    if (leg_m > 0.0 && distance_m <= leg_m) {
+      const Eigen::Vector2d p_odom = route_odom[i - 1] + std::max(distance_m, 0.0) / leg_m * leg;
+      return Pose2{p_odom.x(), p_odom.y(), std::atan2(leg.y(), leg.x())};
+    }
+    distance_m -= leg_m;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -298,6 +314,7 @@ void Mission::add_path(const PlannedPath& path) {
 
 void Mission::evaluate(const PlannedPath& path) {
   if (path.outcome == PlanOutcome::kFound) {
+    recovery_.narrow_passages().add_path(path.points);
     progress_.begin_drive(localization_.traversed_path().distance_travelled_m());
     inputs_.driving_utime = clock_.utime();
     enter(Phase::kExecute, path.reason);
@@ -311,7 +328,8 @@ void Mission::evaluate(const PlannedPath& path) {
     maneuver_ = FollowRoute{};
     recover({Evidence::kUnobserved, path.reached_m, "No path nearer was found: " + path.reason});
   } else {
-    recover({evidence_of(path), path.reached_m, path.reason});
+    recover({evidence_of(path), path.reached_m, path.reason,
+             pose_along(target_.route_odom, path.reached_m)});
   }
 }
 
@@ -367,6 +385,7 @@ void Mission::handle_failed_drive(const std::string& reason) {
 
 std::optional<StoredPathPose> Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body,
                                                 double z_odom_m) {
+  recovery_.narrow_passages().add_pose(T_odom_body);
   return localization_.add_pose(utime, T_odom_body, z_odom_m);
 }
 
@@ -380,6 +399,7 @@ void Mission::add_match(const ScanMatch& match) {
   const OdomChange change = localization_.set_odom_epoch(match.odom_epoch_utime);
   if (change == OdomChange::kNone) return;
   progress_.reset_odom();
+  recovery_.narrow_passages().reset_odom();
   home_arrival_.clear();
   retracing_.reset();
   if (!is_active(phase_.phase)) return;

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -174,10 +173,9 @@ class Mission {
   std::vector<double> home_uncertainties_m_;
   bool looks_at_home_ = false;             ///< stands there until mapping has matched what it sees
   std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
-  double slope_ = 0.0;  ///< of the ground under the body, by the last match [m/m]
-  std::set<std::optional<std::int32_t>> narrow_frontiers_;  ///< with Evidence::kNarrow
-  int scan_tries_ = 0;                                      ///< for the present route
-  int failed_tries_ = 0;                                    ///< in a row, without a path
+  double slope_ = 0.0;    ///< of the ground under the body, by the last match [m/m]
+  int scan_tries_ = 0;    ///< for the present route
+  int failed_tries_ = 0;  ///< in a row, without a path
 };
 
 }  // namespace adit

@@ -36,7 +36,6 @@ void Mission::recover(const Recovery::Rejection& rejection) {
     retry_near_home(reason);
     return;
   }
-  if (rejection.evidence == Evidence::kNarrow) narrow_frontiers_.insert(phase_.frontier);
   if (recovery_.rejections() == 0) {
     if (localization_.T_odom_body())
       progress_.add_rejection(localization_.T_odom_body()->translation());
@@ -104,8 +103,7 @@ std::optional<double> Mission::rejoin_length_m() const {
 /// exploration did not choose it.
 void Mission::abandon_target() {
   const std::string evidence = recovery_.evidence();
-  const bool unconfirmed = recovery_.is_uncertain() ||
-                           narrow_frontiers_.contains(phase_.frontier) || slope_ > kSlopeReliable;
+  const bool unconfirmed = recovery_.is_uncertain() || slope_ > kSlopeReliable;
   const double reached_m = recovery_.reached_m();
   recovery_.reset();
   if (target_.is_straight_ahead) {

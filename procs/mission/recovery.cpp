@@ -77,7 +77,7 @@ bool Recovery::set_target(FrontierId frontier, bool returning_home) {
 void Recovery::reset() { attempts_ = {}; }
 
 bool Recovery::is_uncertain() const {
-  return attempts_.observed < kObservedMin || attempts_.is_narrow;
+  return attempts_.observed < kObservedMin || narrow_passages_.is_doubtful(frontier_);
 }
 
 /// Only actions that were limited change; the number of rejections limits all.
@@ -90,8 +90,12 @@ void Recovery::note_missed_viewpoint() {
 
 Recovery::Action Recovery::choose(const Rejection& rejection, const Options& options) {
   ++attempts_.rejections;
-  if (rejection.evidence == Evidence::kObserved) ++attempts_.observed;
-  if (rejection.evidence == Evidence::kNarrow) attempts_.is_narrow = true;
+  if (rejection.evidence == Evidence::kObserved) {
+    ++attempts_.observed;
+    narrow_passages_.add_blocked(frontier_, rejection.reached_m);
+  } else if (rejection.evidence == Evidence::kNarrow) {
+    narrow_passages_.add_doubt(frontier_, {rejection.reached_m, rejection.T_odom_end});
+  }
   attempts_.reached_m = std::max(attempts_.reached_m, rejection.reached_m);
   attempts_.evidence += (attempts_.evidence.empty() ? "" : " Again: ") + rejection.reason;
 

@@ -4,9 +4,10 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
+
+#include "procs/mission/narrow_passages.hpp"
 
 namespace adit {
 
@@ -14,8 +15,8 @@ namespace adit {
 /// table in recovery.cpp. Attempts are counted per target.
 class Recovery {
  public:
-  static constexpr std::size_t kRules = 8;         ///< rows of the table
-  using FrontierId = std::optional<std::int32_t>;  ///< empty: home, or no target of exploration
+  static constexpr std::size_t kRules = 8;        ///< rows of the table
+  using FrontierId = NarrowPassages::FrontierId;  ///< empty: home, or no target of exploration
 
   /// What a rejection rests on.
   enum class Evidence {
@@ -37,8 +38,9 @@ class Recovery {
 
   struct Rejection {
     Evidence evidence = Evidence::kObserved;
-    double reached_m = 0.0;  ///< greatest possible progress towards the target
-    std::string reason;      ///< a sentence
+    double reached_m = 0.0;                ///< greatest possible progress towards the target
+    std::string reason;                    ///< a sentence
+    std::optional<Pose2> T_odom_end = {};  ///< where it ends, with the x axis along the route
   };
 
   /// What the traversed path allows.
@@ -50,7 +52,8 @@ class Recovery {
 
   /// Returns true and resets all counters if the target changes.
   bool set_target(FrontierId frontier, bool returning_home);
-  /// Resets all counters: the obstacles are behind the robot, or a verdict was given.
+  /// Resets all counters: the obstacles are behind the robot, or a verdict was given. Doubts of
+  /// narrow passages remain.
   void reset();
 
   /// Counts a rejection of the target and returns the action to take.
@@ -59,9 +62,11 @@ class Recovery {
   /// The drive of the last action failed before its viewpoint: the action may be chosen once more.
   void note_missed_viewpoint();
 
+  NarrowPassages& narrow_passages() { return narrow_passages_; }
+
   [[nodiscard]] int rejections() const { return attempts_.rejections; }
   [[nodiscard]] int back_offs() const { return attempts_.back_offs; }
-  /// Whether fewer than two scans observed that no path exists, or one observed a narrow passage.
+  /// Whether fewer than two scans observed that no path exists, or a narrow passage is doubtful.
   [[nodiscard]] bool is_uncertain() const;
   /// Greatest possible progress towards the target over all rejections [m].
   [[nodiscard]] double reached_m() const { return attempts_.reached_m; }
@@ -72,7 +77,6 @@ class Recovery {
   struct Attempts {
     int rejections = 0;
     int observed = 0;  ///< rejections that rest on observed ground
-    bool is_narrow = false;
     int back_offs = 0;
     std::array<int, kRules> uses{};  ///< of the rows of the table
     std::optional<std::size_t> last_row =
@@ -84,6 +88,7 @@ class Recovery {
   FrontierId frontier_;
   bool returning_home_ = false;
   Attempts attempts_;
+  NarrowPassages narrow_passages_;
 };
 
 }  // namespace adit

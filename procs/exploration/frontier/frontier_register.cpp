@@ -119,12 +119,17 @@ void FrontierRegister::match(const std::vector<DetectedFrontier>& detections,
 }
 
 /// The space behind it was observed. After `closings` times it is explored permanently. Where the
-/// planner rejected it, level lasers may have taken rising ground or a roof for its end.
+/// planner rejected it, level lasers may have taken rising ground or a roof for its end, until the
+/// robot has passed it or 3D scans show rock there.
 void FrontierRegister::close(std::size_t i, const PosedSpace& posed, std::int64_t utime) {
   if (frontiers_[i].state == FrontierState::kExplored) return;
   const PosedTile& newest = posed.newest;
   const bool was_rejected = tracks_[i].rejections >= params_.rejections;
-  if (was_rejected && posed.space.driven_distance_m(tracks_[i].p_map_rejected) > kPassedM) {
+  const auto is_decided = [&] {
+    return posed.space.driven_distance_m(tracks_[i].p_map_rejected) <= kPassedM ||
+           posed.space.shows_rock_ahead(frontiers_[i].p_map, frontiers_[i].direction_map);
+  };
+  if (was_rejected && !is_decided()) {
     return set(frontiers_[i], FrontierState::kUnconfirmed,
                fmt::format("{} plans found no path to it, and only level lasers show its end, in "
                            "local map {}",

@@ -326,6 +326,34 @@ bool KnownSpace::dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) 
   return false;
 }
 
+/// Along a ray: rock, and no more than kFootM before it without observed ground.
+bool KnownSpace::shows_rock_along(const Grid2<Votes>& votes, const Eigen::Vector2d& p_map,
+                                  const Eigen::Vector2d& direction) const {
+  constexpr double kAheadM = 8.0;
+  constexpr double kFootM = 1.0;  // ground beside an obstacle is not counted as such
+  const double step_m = 0.5 * resolution_m();
+  double ground_m = -kFootM;
+  for (double s_m = 0.0; s_m <= kAheadM; s_m += step_m) {
+    const Votes cell = votes.get(cell_of(p_map + s_m * direction, resolution_m()));
+    if (cell.rock > 0) return s_m - ground_m <= kFootM;
+    if (cell.ground > 0) ground_m = s_m;
+  }
+  return false;
+}
+
+bool KnownSpace::shows_rock_ahead(const Eigen::Vector2d& p_map,
+                                  const Eigen::Vector2d& direction_map) const {
+  constexpr double kBesideM = 0.5;
+  const auto& layer = layers_[static_cast<std::size_t>(atlas_.layer_of(p_map))];
+  const Eigen::Vector2d p = atlas_.to_map(p_map);
+  const Eigen::Vector2d ahead = direction_map.normalized();
+  const Eigen::Vector2d beside(-ahead.y(), ahead.x());
+  for (const double y_m : {-kBesideM, 0.0, kBesideM}) {
+    if (!shows_rock_along(layer, p + y_m * beside, ahead)) return false;
+  }
+  return true;
+}
+
 Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   const CellBox all = box();
   if (all.empty()) return {};

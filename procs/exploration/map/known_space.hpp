@@ -95,6 +95,11 @@ class KnownSpace {
   /// scans observed.
   [[nodiscard]] bool dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const;
 
+  /// Whether 3D scans show that the space ahead of a point ends at rock, over the width of a
+  /// vehicle: ground up to the foot of the rock, so that it is no roof behind a crest.
+  [[nodiscard]] bool shows_rock_ahead(const Eigen::Vector2d& p_map,
+                                      const Eigen::Vector2d& direction_map) const;
+
   /// The tile that observed this point as free and whose path is nearest to it: the one to anchor
   /// it to; one that has this layer as its own, if there is any. Empty if there is none within 20
   /// m.
@@ -156,6 +161,8 @@ class KnownSpace {
   [[nodiscard]] static bool has_returns(const Votes& votes);
   [[nodiscard]] static bool is_confirmed_wall(const Grid2<Votes>& votes, std::size_t i);
   [[nodiscard]] Occupancy occupancy(const Grid2<Votes>& layer, std::size_t i, Walls walls) const;
+  [[nodiscard]] bool shows_rock_along(const Grid2<Votes>& votes, const Eigen::Vector2d& p_map,
+                                      const Eigen::Vector2d& direction) const;
   void mark_driven(Grid2<Occupancy>& known, int layer) const;
   void fill_patches(Grid2<Occupancy>& known) const;
 

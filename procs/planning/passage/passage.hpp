@@ -29,12 +29,10 @@ struct PassageParams {
 };
 
 /// A path through a narrow passage, where cells and headings of the lattice take more of the width
-/// than there is. An elastic band (Quinlan and Khatib, "Elastic bands: connecting path planning and
-/// control", 1993): the shortest chain of cells whose middle keeps to the walls is bent until the
-/// body, of any heading, has the same width free on either side, and as little curvature as that
-/// allows. Each pose is tested with the outline of the body and the walls at the resolution of
-/// CellParts. The path ends where the body does not fit, less a reserve; it leads at least as far
-/// as the goals require.
+/// than there is: an elastic band from the chain of cells with the most progress (Guide), with as
+/// little curvature as the width allows (ElasticBand). Each pose is tested with the outline of the
+/// body and the walls at the resolution of CellParts. The path ends where the body does not fit,
+/// less a reserve; it leads at least as far as the goals require.
 ///
 /// `reverse`: with the rear leading. The clearance of the path is to the walls. Nothing if there is
 /// no such path.

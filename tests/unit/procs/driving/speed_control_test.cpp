@@ -59,7 +59,7 @@ TEST(SpeedProfile, BrakesToTheEndWithConstantDeceleration) {
 TEST(SpeedProfile, SlowsDownBesideObstacles) {
   PlannedPath path = TestPathBuilder({}).forward(5.0).path();
   for (PathPoint& point : path.points) point.clearance_m = 0.06;
-  EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.2, 1e-9);
+  EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.125, 1e-9);
   for (PathPoint& point : path.points) point.clearance_m = 0.0;
   EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.05, 1e-9);
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/guard/flank_memory.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -78,6 +80,34 @@ TEST_F(FlankMemoryTest, IgnoresSingleBeams) {
   memory_.observe(LaserId::kFront, {{kNothing, p, kNothing, p}, 2});
   drive(kAhead, 10, {100.0, 100.0});
   EXPECT_THAT(memory_.p_body(), IsEmpty());
+}
+
+/// A stored point counts alone and for long.
+TEST_F(FlankMemoryTest, TakesTheMeanOfNeighbouringBeamsOnAWall) {
+  memory_.move_to(T_odom_body_);
+  LaserPoints wall;
+  for (int i = 0; i < 12; ++i) {
+    const double error_m = i % 3 == 1 ? -0.012 : 0.006;  // the mean of three neighbours is 0
+    wall.p_body.emplace_back(1.01 + 0.01 * i, 0.65 + error_m);
+  }
+  memory_.observe(LaserId::kFront, wall);
+  memory_.move_to(T_odom_body_ * Pose2{0.2, 0.0, 0.0});  // out of view
+  ASSERT_THAT(memory_.p_body(), SizeIs(testing::Ge(3U)));
+  int exact = 0;
+  for (const Eigen::Vector2d& p : memory_.p_body()) exact += std::abs(p.y() - 0.65) < 1e-9 ? 1 : 0;
+  EXPECT_GE(exact, std::ssize(memory_.p_body()) - 1);  // the last beam has one neighbour
+}
+
+/// The mean of a post and of the wall behind it would be too far away.
+TEST_F(FlankMemoryTest, TakesNoMeanOfBeamsOnTwoSurfaces) {
+  memory_.move_to(T_odom_body_);
+  LaserPoints post;
+  post.p_body = {{1.01, 0.7}, {1.02, 0.65}, {1.03, 0.65}, {1.04, 0.7}};
+  memory_.observe(LaserId::kFront, post);
+  memory_.move_to(T_odom_body_ * Pose2{0.2, 0.0, 0.0});
+  double nearest_m = 1.0;
+  for (const Eigen::Vector2d& p : memory_.p_body()) nearest_m = std::min(nearest_m, p.y());
+  EXPECT_NEAR(nearest_m, 0.65, 1e-9);
 }
 
 TEST_F(FlankMemoryTest, DeletesPointsUnderTheFootprintAndFarAway) {

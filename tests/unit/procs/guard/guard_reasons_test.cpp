@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Each reason to stand, provoked alone, and over again when it is gone.
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,6 +58,29 @@ TEST_F(GuardReasons, IgnoresFarObstaclesObstaclesBehindAndSingleBeams) {
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt) << robot_.order.reason;
   robot_.front = HealthyRobot::scan_with(0.4F, 1);  // one beam
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt) << robot_.order.reason;
+}
+
+/// A wall that the vehicle passes closely and that only its side margin meets.
+TEST_F(GuardReasons, StopsForAWallBesideThePathOnlyShortlyBeforeContact) {
+  robot_.speed_m_s = 0.05;
+  robot_.run(0.2);
+  const auto see = [&](double angle_rad) {
+    robot_.front = HealthyRobot::free_scan();
+    for (int i = 0; i < 2; ++i) {
+      const auto beam =
+          std::lround((angle_rad + std::numbers::pi / 2.0) * 360.0 / std::numbers::pi) + i;
+      const double at_rad =
+          static_cast<double>(beam) * std::numbers::pi / 360.0 - std::numbers::pi / 2.0;
+      // 5 mm beside the flank
+      robot_.front.ranges_m[static_cast<std::size_t>(beam)] =
+          static_cast<float>(0.605 / std::sin(at_rad));
+    }
+  };
+  see(std::atan2(0.605, 0.25));  // 0.1 m ahead of the nose
+  EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt) << robot_.order.reason;
+  see(std::atan2(0.605, 0.18));  // 0.03 m ahead of it
+  EXPECT_TRUE(robot_.seconds_to_stop(0.1));
+  expect_only(StopKind::kObstacle, "obstacle 0.0");
 }
 
 TEST_F(GuardReasons, StopsForAnObstacleAtAnySpeed) {

@@ -89,11 +89,11 @@ TEST(DistanceToObstacle, NeedsTwoNeighbouringBeams) {
             std::numeric_limits<double>::infinity());  // beyond the stopping distance
 }
 
-TEST(StoppingDistance, IsTheSumOfReactionBrakingAndMargin) {
+TEST(StoppingDistance, IsTheSumOfReactionAndBraking) {
   const ObstacleParams params{0.1, 0.5, 0.15, 0.05};
-  EXPECT_NEAR(stopping_distance_m(params, 0.4, 0.05), 0.4 * 0.15 + 0.16 + 0.15, 1e-12);
-  EXPECT_NEAR(stopping_distance_m(params, -0.4, 0.05), 0.4 * 0.15 + 0.16 + 0.15, 1e-12);
-  EXPECT_NEAR(stopping_distance_m(params, 0.0, 0.2), 0.15, 1e-12);
+  EXPECT_NEAR(stopping_distance_m(params, 0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
+  EXPECT_NEAR(stopping_distance_m(params, -0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
+  EXPECT_NEAR(stopping_distance_m(params, 0.0, 0.2), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -202,11 +202,46 @@ TEST_F(MissionRecovery, ReportsUnconfirmedIfOneScanShowsANarrowPassage) {
   answer(Kind::kAlong, 4);
   terrain();
   scan_from_back(0.0);
+  for (int i = 0; i < 2; ++i) {
+    path(PlanOutcome::kBlocked);
+    EXPECT_THAT(phase().reason, HasSubstr("backing off"));
+    scan_from_back(0.0);
+  }
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
+}
+
+/// A scan from nearer resolves what one from afar could not.
+TEST_F(MissionRecovery, ReportsBlockedIfScansFromNearerShowThatAPassageIsTooNarrow) {
+  drive_in();
+  scan_beside(2.4, PlanOutcome::kNarrow);
+  path(PlanOutcome::kFound);
+  drive(3.25);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kBlocked, 0.3);
+  scan_from_back(0.0);
+  path(PlanOutcome::kBlocked, 0.3);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_FALSE(request_.blocked->unconfirmed);
+}
+
+/// The same frontier may be farther along the tunnel.
+TEST_F(MissionRecovery, ReportsBlockedBehindANarrowPassageThatItDroveThrough) {
+  drive_in();
+  scan_beside(0.5, PlanOutcome::kNarrow);
+  path(PlanOutcome::kFound);
+  drive(8.0);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
   path(PlanOutcome::kBlocked);
   scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->unconfirmed);
+  EXPECT_FALSE(request_.blocked->unconfirmed);
 }
 
 TEST_F(MissionRecovery, BacksOffImmediatelyFromObservedObstacles) {

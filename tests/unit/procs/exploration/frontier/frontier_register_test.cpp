@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/frontier/frontier_register.hpp"
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -63,6 +65,20 @@ class RejectedFrontier : public ClosedFrontier {
   void reject(int times) {
     for (int i = 0; i < times; ++i) frontiers_.record_rejection(0);
   }
+  /// A 3D scan of the newest local map shows ground over 2 m on either side of the x axis of map,
+  /// up to one place, and rock from another one on.
+  void scan_in_3d(double ground_end_m, double rock_m) {
+    const double side_m = space_.resolution_m();
+    ScannedGround ground{static_cast<int>(poses_.size()) - 1, poses_.back().inverse(), {}};
+    ground.cells = Grid2<ScannedCell>(
+        CellBox{cell_of({0.0, -2.0}, side_m), cell_of({rock_m + 1.0, 2.0}, side_m)});
+    for (std::size_t i = 0; i < ground.cells.size(); ++i) {
+      const double x = centre_of(ground.cells.cell(i), side_m).x();
+      if (x < ground_end_m) ground.cells[i] = ScannedCell::kGround;
+      if (x > rock_m) ground.cells[i] = ScannedCell::kRock;
+    }
+    space_.add(std::move(ground));
+  }
 };
 
 TEST_F(RejectedFrontier, IsUnconfirmedUntilTheRobotHasPassedIt) {
@@ -75,6 +91,26 @@ TEST_F(RejectedFrontier, IsUnconfirmedUntilTheRobotHasPassedIt) {
   scan_from({9.0, 0.0, 0.0});
   update({});
   EXPECT_EQ(state(), FrontierState::kExplored);
+}
+
+/// Better evidence than that of level lasers.
+TEST_F(RejectedFrontier, IsExploredOnce3DScansShowRockBehindIt) {
+  reject(2);
+  scan_from({7.0, 0.0, 0.0});
+  update({});
+  ASSERT_EQ(state(), FrontierState::kUnconfirmed);
+  scan_in_3d(11.5, 12.0);
+  update({});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+}
+
+/// Behind a crest rock without ground before it may be the roof.
+TEST_F(RejectedFrontier, IsUnconfirmedIf3DScansShowRockWithoutTheGroundBeforeIt) {
+  reject(2);
+  scan_from({7.0, 0.0, 0.0});
+  scan_in_3d(10.0, 13.0);
+  update({});
+  EXPECT_EQ(state(), FrontierState::kUnconfirmed);
 }
 
 TEST_F(RejectedFrontier, IsExploredAfterASingleRejection) {

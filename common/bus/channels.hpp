@@ -16,6 +16,7 @@ inline constexpr std::string_view kTiltRear = "TILT_REAR";
 inline constexpr std::string_view kWheelOdometry = "WHEEL_ODOMETRY";
 inline constexpr std::string_view kImu = "IMU";
 inline constexpr std::string_view kScanMatch = "SCAN_MATCH";
+inline constexpr std::string_view kMatchDoubt = "MATCH_DOUBT";
 inline constexpr std::string_view kLocalMap = "LOCAL_MAP";
 inline constexpr std::string_view kPoseGraph = "POSE_GRAPH";
 inline constexpr std::string_view kMapCorrection = "MAP_CORRECTION";
@@ -64,6 +65,7 @@ inline constexpr std::array kAll{
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
     kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder, kCloudRequest, kCloudResend, kTerrainReady};
+    kMapRequest,      kMissionOrder, kCloudRequest, kCloudResend, kTerrainReady,
+    kMatchDoubt};
 
 }  // namespace adit::channels

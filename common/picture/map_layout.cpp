@@ -70,11 +70,16 @@ void draw_path_key(const Canvas& canvas, double left, double right, double y, do
   canvas.text("end", right, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
 }
 
-void draw_degenerate_key(const Canvas& canvas, double centre, double y, double unit) {
-  canvas.colour(kDegenerate);
+struct Band {
+  Colour colour;
+  const char* name;
+};
+
+void draw_band_key(const Canvas& canvas, const Band& band, double centre, double y, double unit) {
+  canvas.colour(band.colour);
   canvas.fill_rectangle(centre - 30.0 * unit, y - 6.0 * unit, 60.0 * unit, 12.0 * unit);
   canvas.colour(kInk);
-  canvas.text("degenerate", centre, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+  canvas.text(band.name, centre, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
 }
 
 }  // namespace
@@ -93,14 +98,18 @@ void draw_scale_bar(const Canvas& canvas, const MapLayout& layout) {
                  layout.unit);
 }
 
-double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate) {
+double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate,
+                      bool with_doubtful) {
   const double y = foot(layout);
   const double right = layout.width - (kPageMargin + 8.0) * layout.unit;
   const double left = right - 180.0 * layout.unit;
   draw_path_key(canvas, left, right, y, layout.unit);
-  if (!with_degenerate) return left - 40.0 * layout.unit;
-  const double centre = left - 120.0 * layout.unit;
-  draw_degenerate_key(canvas, centre, y, layout.unit);
+  if (!with_degenerate && !with_doubtful) return left - 40.0 * layout.unit;
+  double centre = left - 120.0 * layout.unit;
+  if (with_degenerate) draw_band_key(canvas, {kDegenerate, "degenerate"}, centre, y, layout.unit);
+  if (!with_doubtful) return centre - 50.0 * layout.unit;
+  if (with_degenerate) centre -= kGraphKey * layout.unit;
+  draw_band_key(canvas, {kDoubtful, "doubtful"}, centre, y, layout.unit);
   return centre - 50.0 * layout.unit;
 }
 

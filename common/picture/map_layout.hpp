@@ -51,6 +51,7 @@ void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
 /// Draw the footer: the scale bar at the left, and the legend of the path at the right.
 /// draw_path_keys returns the left end of the legend, up to which there is space [pixels].
 void draw_scale_bar(const Canvas& canvas, const MapLayout& layout);
-double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate);
+double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate,
+                      bool with_doubtful = false);
 
 }  // namespace adit

@@ -213,6 +213,10 @@ void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& 
   };
   canvas.colour(kDegenerate);
   stroke_path(canvas, layout, path, 12.0 * layout.unit, flagged);
+  canvas.colour(kDoubtful);
+  stroke_path(canvas, layout, path, 18.0 * layout.unit, [&](std::size_t i) {
+    return i < picture.doubtful.size() && picture.doubtful[i] && connected(i);
+  });
   // The colour changes in small steps, each one stroke with proper joins.
   constexpr std::size_t kShades = 128;
   const std::size_t segments = path.size() > 1 ? path.size() - 1 : 0;
@@ -229,8 +233,10 @@ MapLayout layout_of(const OccupancyGrid& grid, const MapPicture& picture) {
   const GraphPicture& graph = picture.graph;
   std::vector<Pose2> poses = picture.path;
   poses.insert(poses.end(), graph.nodes.begin(), graph.nodes.end());
-  const int keys =
-      int(!graph.nodes.empty()) + int(!graph.loop_closures.empty()) + int(!graph.revoked.empty());
+  const bool doubtful =
+      std::find(picture.doubtful.begin(), picture.doubtful.end(), true) != picture.doubtful.end();
+  const int keys = int(doubtful) + int(!graph.nodes.empty()) + int(!graph.loop_closures.empty()) +
+                   int(!graph.revoked.empty());
   return {grid, poses, keys};
 }
 
@@ -252,7 +258,9 @@ void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
     draw_end(canvas, layout.pixel(picture.path.back().translation()), unit);
     const auto& flags = picture.degenerate;
     const bool with_degenerate = std::find(flags.begin(), flags.end(), true) != flags.end();
-    keys_end = draw_path_keys(canvas, layout, with_degenerate);
+    const auto& doubtful = picture.doubtful;
+    const bool with_doubtful = std::find(doubtful.begin(), doubtful.end(), true) != doubtful.end();
+    keys_end = draw_path_keys(canvas, layout, with_degenerate, with_doubtful);
   }
   draw_graph_keys(canvas, layout, picture.graph, keys_end);
   canvas.colour(kInk);

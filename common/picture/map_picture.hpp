@@ -39,6 +39,8 @@ struct MapPicture {
   /// Indices of poses at which a new session begins: no line leads to them.
   std::vector<std::size_t> jumps{};
   GraphPicture graph{};  ///< the parts to draw
+  /// For each pose of the path, whether the map may be wrong there, or empty; drawn as a wide band.
+  std::vector<bool> doubtful{};
 };
 
 /// Draws a map as PNG: free cells white, walls dark, unknown cells in the colour of the paper; the

@@ -17,6 +17,7 @@ inline constexpr Colour kOpen = rgb(0xffffff);
 inline constexpr Colour kWall = rgb(0x1f242b);
 inline constexpr Colour kInk = rgb(0x33373d);
 inline constexpr Colour kDegenerate = rgb(0xf5b301, 0.55);
+inline constexpr Colour kDoubtful = rgb(0xe0218a, 0.6);
 inline constexpr Colour kStart = rgb(0x2a9d5c);
 inline constexpr Colour kEnd = rgb(0xc8324a);
 inline constexpr Colour kGraph = rgb(0x33373d);

@@ -73,6 +73,7 @@ MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
   estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
   apply_odometry(utime, estimate);
   apply_gyro(utime, estimate);
+  if (!estimate.from_odometry) bound_unmeasured(utime, estimate);
   return estimate;
 }
 
@@ -110,13 +111,31 @@ void MotionPrediction::apply_gyro(std::int64_t utime, MotionEstimate& estimate) 
   estimate.stationary = estimate.stationary && std::abs(*turn) <= turned_max;
 }
 
+/// Without wheels, what scans that matched nothing contribute is a guess: the bounds of motion hold
+/// from the last scan that was located.
+void MotionPrediction::bound_unmeasured(std::int64_t utime, MotionEstimate& estimate) const {
+  const double since_s = seconds(utime - located_utime_);
+  estimate.T_odom_last = T_odom_located_;
+  estimate.displacement_max_m = params_.speed_max_m_s * (since_s + params_.stamp_error_max_s);
+  estimate.turn_max_rad = params_.yaw_rate_max_rad_s * (since_s + params_.stamp_error_max_s);
+  estimate.speed_known = speed_known_;
+  estimate.unmeasured_s = since_s;
+  estimate.unmeasured_m = params_.speed_max_m_s * since_s;
+  estimate.unmeasured_rad = estimate.from_gyro ? 0.0 : params_.yaw_rate_max_rad_s * since_s;
+}
+
 /// Makes the extrapolated distance independent of the number of steps.
 void MotionPrediction::decay_speed(double dt_s) {
   speed_body_.head<2>() *= std::exp(-dt_s / params_.speed_memory_s);
   speed_body_.z() *= std::exp(-dt_s / params_.turn_memory_s);
 }
 
-void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool measured) {
+void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool measured,
+                               bool located) {
+  if (located || !utime_) {
+    located_utime_ = utime;
+    T_odom_located_ = T_odom_body;
+  }
   if (utime_ && !measured) decay_speed(seconds(utime - *utime_));
   utime_ = utime;
   T_odom_body_ = T_odom_body;
@@ -134,6 +153,7 @@ void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, boo
   const double shrink = std::min(1.0, params_.speed_max_m_s / std::max(along.norm(), 1e-9));
   speed_body_ << shrink * along,
       std::clamp(step.theta / dt, -params_.yaw_rate_max_rad_s, params_.yaw_rate_max_rad_s);
+  speed_known_ = true;
   speed_utime_ = utime;
   T_odom_speed_ = T_odom_body;
 }

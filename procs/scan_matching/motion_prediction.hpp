@@ -58,13 +58,18 @@ struct MotionPredictionParams {
 
 /// The prior of a scan's pose, before the scan is matched.
 struct MotionEstimate {
-  PosePrior prior;                  ///< information is zero in unmeasured directions
-  bool from_odometry = false;       ///< wheel odometry covers the step
-  bool from_gyro = false;           ///< the gyro covers the rotation
-  bool stationary = false;          ///< wheels, and the gyro if available, measured no motion
-  Pose2 T_odom_last;                ///< last pose
+  PosePrior prior;             ///< information is zero in unmeasured directions
+  bool from_odometry = false;  ///< wheel odometry covers the step
+  bool from_gyro = false;      ///< the gyro covers the rotation
+  bool stationary = false;     ///< wheels, and the gyro if available, measured no motion
+  /// Last pose; if no wheels measure the step, of the last scan that was located.
+  Pose2 T_odom_last;
   double displacement_max_m = 0.0;  ///< maximum displacement since,
   double turn_max_rad = 0.0;        ///< and maximum turn
+  bool speed_known = false;         ///< the last speed was measured
+  double unmeasured_s = 0.0;        ///< time since, if no wheels measure the step
+  double unmeasured_m = 0.0;        ///< displacement that is possible in this time,
+  double unmeasured_rad = 0.0;      ///< and turn, if no gyro measures it
 
   /// Whether the body can have reached the pose by now. Rejects matches that jump.
   [[nodiscard]] bool possible(const Pose2& T_odom_body) const;
@@ -85,11 +90,14 @@ class MotionPrediction {
 
   /// Sets the pose at `utime`. `measured`: it is observed in all directions, by a match or a
   /// sensor, and updates the speed. A pose that is partly predicted only lets the speed decay.
-  void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured);
+  /// `located`: a scan was matched; without it and without wheels the body may be farther away with
+  /// each scan.
+  void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured, bool located = true);
 
  private:
   void apply_odometry(std::int64_t utime, MotionEstimate& estimate) const;
   void apply_gyro(std::int64_t utime, MotionEstimate& estimate) const;
+  void bound_unmeasured(std::int64_t utime, MotionEstimate& estimate) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;
   [[nodiscard]] Pose2 step_at_last_speed(double dt_s) const;
   void decay_speed(double dt_s);
@@ -99,9 +107,12 @@ class MotionPrediction {
   std::deque<ImuReading> imu_;
   std::optional<std::int64_t> utime_;
   Pose2 T_odom_body_;
+  std::int64_t located_utime_ = 0;  ///< of the last scan that was located
+  Pose2 T_odom_located_;
   /// Start of the interval over which the speed is measured.
   std::optional<std::int64_t> speed_utime_;
   Pose2 T_odom_speed_;
+  bool speed_known_ = false;
   Eigen::Vector3d speed_body_ = Eigen::Vector3d::Zero();  ///< (m/s, m/s, rad/s)
 };
 

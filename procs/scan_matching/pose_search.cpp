@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adit {
 namespace {
 
 constexpr int kPeaks = 3;
-constexpr double kSigmasMax = 10.0;  // bounds the influence of odometry outliers
+constexpr int kReachablePeaks = 12;
+constexpr double kReachableM = 20.0;  // maximum half-width of the search
+constexpr double kSigmasMax = 10.0;   // bounds the influence of odometry outliers
 
 /// The search for one scan: its inputs, and the best candidate so far.
 class CandidateSearch {
@@ -19,6 +22,7 @@ class CandidateSearch {
       : params_(params), observation_(observation), reference_(reference), expected_(expected) {}
 
   [[nodiscard]] const PoseCandidate& best() const { return best_; }
+  [[nodiscard]] const std::vector<PoseCandidate>& rated() const { return rated_; }
 
   /// Refines `start` and keeps the result if it is new, possible and better than the best so far.
   void refine_from(const Pose2& start, double scale_m) {
@@ -30,17 +34,34 @@ class CandidateSearch {
     if (candidate.match.duplicate) return;
     if (!expected_.possible(candidate.match.T_odom_body)) return;
     rate(candidate);
+    rated_.push_back(candidate);
     if (candidate.score > best_.score) best_ = candidate;
   }
 
-  void try_peaks(double radius_m, double angle_rad, const CorrelativeSearchParams& params) {
+  void try_peaks(double radius_m, double angle_rad, const CorrelativeSearchParams& params,
+                 int peaks = kPeaks) {
     const SearchWindow window{std::min(radius_m, expected_.displacement_max_m),
                               std::min(angle_rad, expected_.turn_max_rad)};
     for (const auto& peak :
          search_correlation(observation_.points, reference_.surfels(), expected_.prior.T_odom_body,
-                            window, kPeaks, params)) {
+                            window, peaks, params)) {
       refine_from(peak.T_odom_body, params_.point_to_line.scale_start_m);
     }
+  }
+
+  /// Tries all poses that the body can have reached. So many are tried that one may match by
+  /// chance: it must be much better than a pose near the prediction.
+  void try_reachable(const CorrelativeSearchParams& params) {
+    const PoseCandidate near = best_;
+    try_peaks(kReachableM, std::numbers::pi, params, kReachablePeaks);
+    const bool better = best_.score >= params_.reachable_score &&
+                        best_.score >= near.score + params_.reachable_gain;
+    if (!better) best_ = near;
+  }
+
+  [[nodiscard]] bool is_beyond_window() const {
+    return expected_.unmeasured_m > params_.search_radius_m ||
+           expected_.unmeasured_rad > params_.search_angle_rad;
   }
 
   [[nodiscard]] bool needs_search(double typical_score) const {
@@ -72,6 +93,7 @@ class CandidateSearch {
   const LocalReference& reference_;
   const MotionEstimate& expected_;
   PoseCandidate best_;
+  std::vector<PoseCandidate> rated_;
   MatchTrail trail_;
 };
 
@@ -85,17 +107,20 @@ PoseSearchResult PoseSearch::find(const ScanObservation& observation,
   search.refine_from(expected.prior.T_odom_body, expected.from_odometry
                                                      ? params_.scale_measured_m
                                                      : params_.point_to_line.scale_start_m);
-  if (!search.needs_search(typical_score)) return {search.best(), false};
+  const bool beyond_window = search.is_beyond_window();
+  if (!beyond_window && !search.needs_search(typical_score)) return {search.best(), false};
 
   // Correlative search for other starts, first near the prediction, then wide (Olson 2009).
   search.try_peaks(params_.search_radius_m, params_.search_angle_rad, params_.correlative);
+  CorrelativeSearchParams coarse = params_.correlative;
+  coarse.cell_m *= 2.0;
+  coarse.angle_step_rad *= 2.0;
   if (search.best().score < params_.trusted_score) {
-    CorrelativeSearchParams coarse = params_.correlative;
-    coarse.cell_m *= 2.0;
-    coarse.angle_step_rad *= 2.0;
     search.try_peaks(params_.wide_radius_m, params_.wide_angle_rad, coarse);
   }
-  return {search.best(), true};
+  if (!beyond_window) return {search.best(), true};
+  search.try_reachable(coarse);
+  return {search.best(), true, true, search.rated()};
 }
 
 }  // namespace adit

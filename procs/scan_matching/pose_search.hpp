@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "common/config/bounds.hpp"
 #include "common/registration/correlative_search.hpp"
 #include "common/registration/point_to_line.hpp"
@@ -23,6 +25,10 @@ struct PoseSearchParams {
   double search_angle_rad = 0.7;
   double wide_radius_m = 2.5;  ///< half-widths of a second, coarser search if the first fails
   double wide_angle_rad = 2.5;
+  /// Of the poses that the body can have reached unmeasured, beyond the first window: minimum
+  /// score,
+  double reachable_score = 0.6;
+  double reachable_gain = 0.05;        ///< and minimum gain over the pose near the prediction
   double unknown_score = 0.5;          ///< score of a point in unobserved space
   double contradiction_cost = 2.0;     ///< cost of a point in free space
   double deviation_cost_per_m = 0.05;  ///< cost of the deviation from the prediction
@@ -44,6 +50,8 @@ struct PoseSearchParams {
     v("search_angle_rad", search_angle_rad, above_up_to(0.0, 3.2));
     v("wide_radius_m", wide_radius_m, above_up_to(0.0, 20.0));
     v("wide_angle_rad", wide_angle_rad, above_up_to(0.0, 3.2));
+    v("reachable_score", reachable_score, within(0.0, 1.0));
+    v("reachable_gain", reachable_gain, within(0.0, 1.0));
     v("unknown_score", unknown_score, within(0.0, 1.0));
     v("contradiction_cost", contradiction_cost, at_least(0.0));
     v("deviation_cost_per_m", deviation_cost_per_m, at_least(0.0));
@@ -63,10 +71,15 @@ struct PoseCandidate {
 struct PoseSearchResult {
   PoseCandidate best;
   bool searched = false;
+  bool complete = false;  ///< all poses were searched that the body can have reached
+  /// The possible ones among the poses of a complete search, in the order of rating.
+  std::vector<PoseCandidate> reachable{};
 };
 
 /// Finds the pose of a scan in the reference: refines the prediction and, if the result is in
-/// doubt, restarts from the peaks of a correlative search.
+/// doubt, restarts from the peaks of a correlative search. If no sensor measured the motion and the
+/// body can have left the window of this search since the last scan, all poses are searched that it
+/// can have reached: a prediction by the last speed says nothing about a turn in between.
 class PoseSearch {
  public:
   explicit PoseSearch(const PoseSearchParams& params) : params_(params) {}

@@ -95,7 +95,8 @@ ScanMatching::ScanMatching(const ScanMatchingParams& params)
       attitude_(params.attitude),
       reference_(params.reference),
       search_(params.search),
-      standstill_(params.standstill) {}
+      standstill_(params.standstill),
+      chain_doubt_(params.doubt) {}
 
 bool ScanMatching::add(const WheelOdometry& reading) {
   if (!motion_.add(reading)) return false;
@@ -116,14 +117,17 @@ void ScanMatching::add(TerrainMap terrain) {
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   if (odom_epoch_utime_ == 0) odom_epoch_utime_ = scan.utime;
   ScanMatch match = rejected(scan.utime);
+  doubt_.reset();
   if (!advances_in_time(laser, scan.utime)) return match;
 
   const MotionEstimate expected = motion_.predict(scan.utime);
   ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
   match.ground_beams = std::move(observation.ground_beams);
-  if (reference_.has_laser(laser)) {
-    locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
+  PoseSearchResult found;
+  const bool has_reference = reference_.has_laser(laser);
+  if (has_reference) {
+    found = locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
     standstill_.apply(laser, expected, match);
   } else {
     const bool enough = match.points >= params_.points_min;
@@ -133,6 +137,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   match.unconfirmed_beams = unconfirmed_beams(observation, match.T_odom_body);
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   match.z_m += climb_m(match);
+  if (has_reference) doubt_ = chain_doubt_.judge(match, expected, found);
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
   return match;
@@ -209,8 +214,8 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
 }
 
 /// Matches the scan against the reference. Without an accepted match the pose is the prediction.
-void ScanMatching::locate(const ScanObservation& observation, const MotionEstimate& expected,
-                          ScanMatch& match) {
+PoseSearchResult ScanMatching::locate(const ScanObservation& observation,
+                                      const MotionEstimate& expected, ScanMatch& match) {
   PoseSearchResult found;
   if (match.points >= params_.points_min) {
     found = search_.find(observation, reference_, expected, typical_score_);
@@ -231,6 +236,7 @@ void ScanMatching::locate(const ScanObservation& observation, const MotionEstima
     match.covariance = (expected.prior.information + motion_bound_information(expected)).inverse();
     reference_covariance_.setZero();
   }
+  return found;
 }
 
 /// Sets pose and covariance from the match, and from the prediction in degenerate directions.
@@ -257,7 +263,7 @@ void ScanMatching::accept_match(const PoseCandidate& best, const MotionEstimate&
 /// Corrects the motion prediction and updates the reference.
 void ScanMatching::advance(ScanObservation observation, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
-  motion_.correct(match.utime, match.T_odom_body, !lost && !has_unobserved_direction(match));
+  motion_.correct(match.utime, match.T_odom_body, !lost && !has_unobserved_direction(match), !lost);
   T_odom_body_ = match.T_odom_body;
   z_m_ = match.z_m;
   utime_ = match.utime;

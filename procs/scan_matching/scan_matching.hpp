@@ -14,8 +14,10 @@
 #include "common/registration/surface_points.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "procs/scan_matching/body_attitude.hpp"
+#include "procs/scan_matching/chain_doubt.hpp"
 #include "procs/scan_matching/known_ground.hpp"
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
@@ -33,6 +35,7 @@ struct ScanMatchingParams {
   PoseSearchParams search;
   StandstillParams standstill;
   DegeneracyParams degeneracy;
+  ChainDoubtParams doubt;
   int points_min = 20;             ///< minimum number of points of a scan
   double lost_score = 0.4;         ///< minimum score of an accepted match,
   double inlier_share_min = 0.25;  ///< and its minimum share of inliers
@@ -52,6 +55,7 @@ struct ScanMatchingParams {
     v("search", search);
     v("standstill", standstill);
     v("degeneracy", degeneracy);
+    v("doubt", doubt);
     v("points_min", points_min, at_least(3));
     v("lost_score", lost_score, within(0.0, 1.0));
     v("inlier_share_min", inlier_share_min, within(0.0, 1.0));
@@ -81,6 +85,9 @@ class ScanMatching {
   /// empty or matches nothing is lost: the pose is the prediction.
   ScanMatch add_scan(LaserId laser, const LaserScan& scan);
 
+  /// Why the motion to the last scan may be wrong; empty if it is sure.
+  [[nodiscard]] const std::optional<MatchDoubt>& doubt() const { return doubt_; }
+
  private:
   [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan,
                                         const Pose2& T_odom_expected) const;
@@ -89,7 +96,8 @@ class ScanMatching {
                                                             const Pose2& T_odom_body) const;
   [[nodiscard]] double climb_m(const ScanMatch& match) const;
   [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
-  void locate(const ScanObservation& observation, const MotionEstimate& expected, ScanMatch& match);
+  PoseSearchResult locate(const ScanObservation& observation, const MotionEstimate& expected,
+                          ScanMatch& match);
   void accept_match(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
                     ScanMatch& match);
   void advance(ScanObservation observation, const ScanMatch& match);
@@ -103,6 +111,8 @@ class ScanMatching {
   LocalReference reference_;
   PoseSearch search_;
   Standstill standstill_;
+  ChainDoubt chain_doubt_;
+  std::optional<MatchDoubt> doubt_;
   std::map<LaserId, std::int64_t> last_scan_utime_;
   std::int64_t odom_epoch_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;

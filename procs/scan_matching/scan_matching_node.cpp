@@ -75,6 +75,9 @@ void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const 
   match.channel = channel;
   health_ = health_of(match);
   publish(bus_, channels::kScanMatch, to_message(match));
+  if (const auto& doubt = scan_matching_.doubt()) {
+    publish(bus_, channels::kMatchDoubt, to_message(*doubt));
+  }
   if (match.status == ScanMatch::Status::kRejected) return;
   publish(bus_, channels::kPose,
           to_message(StampedPose{

@@ -13,7 +13,9 @@ namespace adit {
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); optional TILT_FRONT, TILT_REAR (tilt_t),
 ///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), TERRAIN (terrain_t).
-/// Out: SCAN_MATCH (scan_match_t) for every level scan; POSE (pose_t, T_odom_body) for every scan
+/// Out: SCAN_MATCH (scan_match_t) for every level scan; MATCH_DOUBT (match_doubt_t) for every
+/// motion
+///      that may be wrong; POSE (pose_t, T_odom_body) for every scan
 ///      that is not rejected.
 class ScanMatchingNode {
  public:

@@ -54,6 +54,11 @@ ScanMatch sample_match() {
   return report;
 }
 
+MatchDoubt sample_doubt() {
+  const MatchDoubt::Alternative turned{{12.0, -3.0, -0.9}, 0.71};
+  return {kUtime, kUtime - 1'000'000, MatchDoubt::Reason::kAmbiguous, {turned, turned}};
+}
+
 const Eigen::Matrix3d kCovariance = Eigen::Vector3d(1e-2, 1e-2, 1e-4).asDiagonal();
 const Eigen::Matrix3d kInformation = Eigen::Vector3d(400.0, 400.0, 1e4).asDiagonal();
 
@@ -240,6 +245,7 @@ std::vector<MessageType> stage_types() {
           type_of(channels::kImu, to_message(imu)),
           type_of(channels::kTiltFront, to_message(tilt)),
           type_of(channels::kScanMatch, to_message(sample_match())),
+          type_of(channels::kMatchDoubt, to_message(sample_doubt())),
           type_of(channels::kLocalMap, to_message(split(sample_local_map()).front())),
           type_of(channels::kPoseGraph, to_message(split(sample_graph()).front())),
           type_of(channels::kMapCorrection, to_message(correction)),

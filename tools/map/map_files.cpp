@@ -88,6 +88,14 @@ void mark_unobserved(const RunRecord& record, MapPicture& picture) {
   picture.degenerate.insert(picture.degenerate.end(), unobserved.begin(), unobserved.end());
 }
 
+void mark_doubtful(const RunRecord& record, const std::vector<DoubtfulStretch>& stretches,
+                   MapPicture& picture) {
+  if (stretches.empty()) return;
+  const std::vector<bool> doubtful = in_stretches(stretches, record.odometry());
+  picture.doubtful.assign(picture.path.size() - doubtful.size(), false);
+  picture.doubtful.insert(picture.doubtful.end(), doubtful.begin(), doubtful.end());
+}
+
 }  // namespace
 
 const char* decision_text(const Association& a) {
@@ -141,7 +149,8 @@ MapPicture map_picture(const FullMap& map, const std::string& title) {
   return picture;
 }
 
-bool write_map_files(const FullMap& map, const RunRecord& record, const MapFilesOptions& options,
+bool write_map_files(const FullMap& map, const RunRecord& record,
+                     const std::vector<DoubtfulStretch>& stretches, const MapFilesOptions& options,
                      const std::filesystem::path& folder) {
   write_tum(folder / "trajectory.tum", joined_path(map));
   write_tum(folder / "odometry.tum", record.odometry());
@@ -150,6 +159,7 @@ bool write_map_files(const FullMap& map, const RunRecord& record, const MapFiles
   write_map_server(grid, folder, "map");
   MapPicture picture = map_picture(map, options.title);
   mark_unobserved(record, picture);
+  mark_doubtful(record, stretches, picture);
   if (options.draw_graph) picture.graph = graph_picture(map);
   write_map_png(grid, picture, folder / "map.png");
   return true;

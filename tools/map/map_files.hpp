@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
@@ -11,6 +12,7 @@
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/association.hpp"
+#include "tools/map/doubt_list.hpp"
 #include "tools/map/full_map.hpp"
 #include "tools/map/run_record.hpp"
 
@@ -48,7 +50,8 @@ struct MapFilesOptions {
 /// Writes trajectory.tum, odometry.tum, map.png, map.pgm and map.yaml into a folder. False if the
 /// poses exceed the size of the grid; only the trajectories are written then. Throws
 /// std::runtime_error if a file cannot be written.
-bool write_map_files(const FullMap& map, const RunRecord& record, const MapFilesOptions& options,
+bool write_map_files(const FullMap& map, const RunRecord& record,
+                     const std::vector<DoubtfulStretch>& stretches, const MapFilesOptions& options,
                      const std::filesystem::path& folder);
 
 }  // namespace adit

@@ -18,6 +18,7 @@
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
+#include "tools/map/doubt_list.hpp"
 #include "tools/map/full_map.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
@@ -93,9 +94,10 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
 
 ReplayOptions replay_options(bool use_odometry) {
   ReplayOptions options;
-  for (const auto channel : {channels::kPose, channels::kScanMatch, channels::kLocalMap,
-                             channels::kPoseGraph, channels::kMapCorrection, channels::kAssociation,
-                             channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
+  for (const auto channel :
+       {channels::kPose, channels::kScanMatch, channels::kMatchDoubt, channels::kLocalMap,
+        channels::kPoseGraph, channels::kMapCorrection, channels::kAssociation,
+        channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
     options.excluded_channels.emplace(channel);
   }
   if (!use_odometry) {
@@ -215,7 +217,10 @@ MapRunResult run_map(const MapRunOptions& options,
     result.warnings.emplace_back(
         "no loop closure to the resumed map: the pose of this run in it is not verified");
   }
-  if (!write_map_files(map, record, files, folder)) {
+  const std::vector<DoubtfulStretch> stretches =
+      doubtful_stretches(record.doubts(), record.odometry(), record.local_maps());
+  result.doubtful = stretches_text(stretches);
+  if (!write_map_files(map, record, stretches, files, folder)) {
     result.warnings.emplace_back("no map: the poses exceed the size limit of map_grid");
   }
   write_graph_files(map, folder);
@@ -224,7 +229,8 @@ MapRunResult run_map(const MapRunOptions& options,
   cost.local_map_ms = milliseconds(mapping_stopwatch, true);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   result.wall_s = cost.wall_s;
-  write_text_file(summary_json(record, map, input.times(), cost), folder / "summary.json");
+  write_text_file(summary_json(record, map, stretches, input.times(), cost),
+                  folder / "summary.json");
   results.publish();
   return result;
 }

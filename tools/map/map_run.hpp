@@ -25,6 +25,7 @@ struct MapRunResult {
   std::size_t local_maps = 0;                   ///< of the full map
   std::size_t loop_closures = 0;                ///< accepted at the end
   std::size_t cross_session_loop_closures = 0;  ///< of those: from this run to the resumed map
+  std::string doubtful;  ///< stretches on which the map may be wrong, in a line; empty: none
   double wall_s = 0.0;
   std::vector<std::string> warnings;  ///< one sentence each
 };

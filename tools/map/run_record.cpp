@@ -45,6 +45,8 @@ RunRecord::RunRecord(Bus& bus) {
   subscribe_laser(bus, channels::kLaserRear);
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kQueued),
                           [this](const ScanMatch& match) { on_match(match); });
+  subscribe<match_doubt_t>(bus, channels::kMatchDoubt, Delivery::queued(kQueued),
+                           [this](const MatchDoubt& doubt) { doubts_.push_back(doubt); });
   map_subscription_.subscribe(
       bus, {.on_local_map = [this](LocalMap map) { on_local_map(std::move(map)); },
             .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },

@@ -16,6 +16,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
@@ -80,6 +81,8 @@ class RunRecord {
   /// For each pose of `odometry`, whether a scan at its time did not observe all motion.
   [[nodiscard]] const std::vector<bool>& unobserved() const { return unobserved_; }
   [[nodiscard]] const SegmentList& segments() const { return segments_; }
+  /// Motions between scans that may be wrong.
+  [[nodiscard]] const std::vector<MatchDoubt>& doubts() const { return doubts_; }
 
  private:
   void subscribe_laser(Bus& bus, std::string_view channel);
@@ -93,6 +96,7 @@ class RunRecord {
   Trajectory odometry_;
   std::vector<bool> unobserved_;
   SegmentList segments_;
+  std::vector<MatchDoubt> doubts_;
   std::vector<Entry> tail_;
   MapSubscription map_subscription_;
   std::vector<LocalMap> local_maps_;

@@ -70,6 +70,21 @@ Json segments_json(const RunRecord& record) {
   return list;
 }
 
+Json stretches_json(const std::vector<DoubtfulStretch>& stretches) {
+  Json list = Json::array();
+  for (const DoubtfulStretch& stretch : stretches) {
+    list.push_back({{"from_s", seconds(stretch.from_utime)},
+                    {"to_s", seconds(stretch.to_utime)},
+                    {"from_m", stretch.from_m},
+                    {"to_m", stretch.to_m},
+                    {"local_maps", stretch.local_maps},
+                    {"reasons", stretch.reasons},
+                    {"motions", stretch.motions},
+                    {"alternatives", stretch.alternatives}});
+  }
+  return list;
+}
+
 /// Size of the messages, all fragments [bytes].
 double serialised_bytes(const LocalMap& map) {
   std::size_t bytes = 0;
@@ -129,7 +144,8 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
   return counts;
 }
 
-std::string summary_json(const RunRecord& record, const FullMap& map, const TimeChoice& times,
+std::string summary_json(const RunRecord& record, const FullMap& map,
+                         const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
                          const RunCost& cost) {
   const Trajectory& trajectory = record.odometry();
   const double duration_s =
@@ -147,6 +163,7 @@ std::string summary_json(const RunRecord& record, const FullMap& map, const Time
        {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
       {"peak_memory_mb", cost.peak_memory_mb},
       {"map", map_json(map)},
+      {"doubtful_stretches", stretches_json(stretches)},
       {"unobserved_segments_joined_m", record.segments().joined_m()},
       {"unobserved_segments", segments_json(record)}};
   return json.dump(2) + "\n";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tools/log_times/time_choice.hpp"
+#include "tools/map/doubt_list.hpp"
 #include "tools/map/full_map.hpp"
 #include "tools/map/run_record.hpp"
 
@@ -25,9 +26,11 @@ struct RunCost {
 RunCost process_cost();
 
 /// Figures of a run as JSON, for summary.json: scans by status, the times that were used, path
-/// length, computation times, memory, the map including earlier sessions, and the segments of this
-/// run where motion was not fully observed (SegmentList).
-std::string summary_json(const RunRecord& record, const FullMap& map, const TimeChoice& times,
+/// length, computation times, memory, the map including earlier sessions, the stretches of this run
+/// on which the map may be wrong, and the segments where motion was not fully observed
+/// (SegmentList).
+std::string summary_json(const RunRecord& record, const FullMap& map,
+                         const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
                          const RunCost& cost);
 
 /// Loop closures of a map.

@@ -85,6 +85,13 @@ static_assert(static_cast<int>(Status::kRejected) == scan_match_t::STATUS_REJECT
 static_assert(static_cast<int>(Fill::kNone) == scan_match_t::FILL_NONE);
 static_assert(static_cast<int>(Fill::kOdometry) == scan_match_t::FILL_ODOMETRY);
 static_assert(static_cast<int>(Fill::kImu) == scan_match_t::FILL_IMU);
+static_assert(static_cast<int>(MatchDoubt::Reason::kLost) == match_doubt_t::REASON_LOST);
+static_assert(static_cast<int>(MatchDoubt::Reason::kPoor) == match_doubt_t::REASON_POOR);
+static_assert(static_cast<int>(MatchDoubt::Reason::kAmbiguous) == match_doubt_t::REASON_AMBIGUOUS);
+static_assert(static_cast<int>(MatchDoubt::Reason::kDegenerate) ==
+              match_doubt_t::REASON_DEGENERATE);
+static_assert(static_cast<int>(MatchDoubt::Reason::kContradicted) ==
+              match_doubt_t::REASON_CONTRADICTED);
 
 bool is_valid(ScanMatch::Status status) {
   return status >= ScanMatch::Status::kFirstScan && status <= ScanMatch::Status::kRejected;
@@ -179,6 +186,39 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.searched = message.searched != 0;
   match.points = message.points;
   return match;
+}
+
+match_doubt_t to_message(const MatchDoubt& doubt) {
+  match_doubt_t message;
+  message.utime = doubt.utime;
+  message.from_utime = doubt.from_utime;
+  message.reason = static_cast<std::int8_t>(doubt.reason);
+  message.n_alternatives = static_cast<std::int32_t>(doubt.alternatives.size());
+  for (const MatchDoubt::Alternative& alternative : doubt.alternatives) {
+    const Pose2& T = alternative.T_odom_body;
+    message.T_odom_alternative.push_back({T.x, T.y, T.theta});
+    message.scores.push_back(alternative.score);
+  }
+  return message;
+}
+
+Result<MatchDoubt> from_message(const match_doubt_t& message) {
+  using Reason = MatchDoubt::Reason;
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (!is_plausible_utime(message.from_utime)) return Rejected{kImplausibleTime};
+  if (message.from_utime > message.utime) return Rejected{"ends before it begins"};
+  MatchDoubt doubt{message.utime, message.from_utime, Reason(message.reason), {}};
+  if (doubt.reason < Reason::kLost || doubt.reason > Reason::kContradicted) {
+    return Rejected{"unknown reason"};
+  }
+  for (std::size_t i = 0; i < message.scores.size(); ++i) {
+    const Eigen::Vector3d T(message.T_odom_alternative[i].data());
+    if (!T.allFinite() || !std::isfinite(message.scores[i])) {
+      return Rejected{"alternative is not finite"};
+    }
+    doubt.alternatives.push_back({Pose2::from_vector(T), message.scores[i]});
+  }
+  return doubt;
 }
 
 }  // namespace adit

@@ -7,12 +7,14 @@
 
 #include <Eigen/Core>
 
+#include "adit/match_doubt_t.hpp"
 #include "adit/pose_t.hpp"
 #include "adit/scan_match_t.hpp"
 
 #include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/messages/result.hpp"
+#include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
 
 namespace adit {
@@ -41,5 +43,11 @@ scan_match_t to_message(const ScanMatch& match);
 /// Rejects implausible times, an unknown status or fill, a pose, covariance or direction that is
 /// not finite, more than three degenerate directions.
 Result<ScanMatch> from_message(const scan_match_t& message);
+
+match_doubt_t to_message(const MatchDoubt& doubt);
+
+/// Rejects implausible times, an end before the beginning, an unknown reason, a pose or score that
+/// is not finite.
+Result<MatchDoubt> from_message(const match_doubt_t& message);
 
 }  // namespace adit

@@ -28,7 +28,8 @@ Outputs in DIR:
   associations.tsv      loop closure decisions, with time and reason; also those that were revoked
   map.journal           state of mapping, for --resume
   run.lcmlog            all input and output messages, for lcm-logplayer and adit spy
-  summary.json          scans, path length, loop closures, computation times, memory, degenerate motion
+  summary.json          scans, path length, loop closures, computation times, memory, degenerate motion,
+                        stretches on which the map may be wrong
 
 The poses of the lasers on the body are read from the section `lasers` of the configuration, else from the
 log (channel CONFIG); by default the lasers are at the origin of the body.
@@ -65,6 +66,7 @@ void map(const MapRunOptions& options) {
                              options.resume.string());
   }
   std::cout << "\n";
+  if (!result.doubtful.empty()) std::cout << result.doubtful << "\n";
 }
 
 }  // namespace

@@ -102,6 +102,19 @@ TEST(Golden, WheelOdometry) {
   expect_golden(message, WheelOdometry{kUtime, {1.5, 2.5, 30.25}});
 }
 
+TEST(Golden, MatchDoubt) {
+  match_doubt_t message;
+  message.utime = kUtime;
+  message.from_utime = kUtime - 1'000'000;
+  message.reason = match_doubt_t::REASON_AMBIGUOUS;
+  message.n_alternatives = 1;
+  message.T_odom_alternative = {{1.5, 2.5, 0.75}};
+  message.scores = {0.875};
+  const MatchDoubt::Alternative turned{{1.5, 2.5, 0.75}, 0.875};
+  expect_golden(message,
+                MatchDoubt{kUtime, kUtime - 1'000'000, MatchDoubt::Reason::kAmbiguous, {turned}});
+}
+
 TEST(Golden, Tilt) {
   tilt_t message;
   message.utime = kUtime;

@@ -179,6 +179,31 @@ TEST(ScanMatchMessage, IsRejectedWithNumbersThatAreNotFinite) {
   EXPECT_EQ(round_trip(bad).rejection(), "pose or covariance is not finite");
 }
 
+MatchDoubt doubt() {
+  const MatchDoubt::Alternative turned{{1.0, 2.0, -1.5}, 0.75};
+  return {kUtime, kUtime - 1'000'000, MatchDoubt::Reason::kAmbiguous, {turned}};
+}
+
+TEST(MatchDoubtMessage, SurvivesARoundTrip) { EXPECT_EQ(*round_trip(doubt()), doubt()); }
+
+TEST(MatchDoubtMessage, IsRejectedIfItEndsBeforeItBegins) {
+  MatchDoubt bad = doubt();
+  bad.from_utime = bad.utime + 1;
+  EXPECT_EQ(round_trip(bad).rejection(), "ends before it begins");
+}
+
+TEST(MatchDoubtMessage, IsRejectedWithAnUnknownReason) {
+  match_doubt_t message = to_message(doubt());
+  message.reason = 5;
+  EXPECT_EQ(from_message(message).rejection(), "unknown reason");
+}
+
+TEST(MatchDoubtMessage, IsRejectedWithNumbersThatAreNotFinite) {
+  MatchDoubt bad = doubt();
+  bad.alternatives[0].score = kNaN;
+  EXPECT_EQ(round_trip(bad).rejection(), "alternative is not finite");
+}
+
 TEST(HeartbeatMessage, SurvivesARoundTrip) {
   const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 3, 2, 1};
   EXPECT_EQ(*round_trip(heartbeat), heartbeat);

@@ -53,6 +53,15 @@ TEST_F(MapPng, TheSameMapGivesTheSameBytes) {
   EXPECT_GT(first.size(), 1000U);
 }
 
+TEST_F(MapPng, ShowsDoubtfulStretches) {
+  MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {false, true, false}};
+  write_map_png(room(), picture, path_);
+  const std::string without = contents(path_);
+  picture.doubtful = {true, true, false};
+  write_map_png(room(), picture, path_);
+  EXPECT_NE(without, contents(path_));
+}
+
 TEST_F(MapPng, ShowsDegenerateSegments) {
   MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
   write_map_png(room(), picture, path_);

@@ -42,6 +42,18 @@ TEST(MotionPrediction, InterpolatesBetweenWheelReadings) {
   EXPECT_NEAR(motion.predict(kStart + kSecond * 5 / 4).prior.T_odom_body.x, 0.75, 1e-12);
 }
 
+TEST(MotionPrediction, BoundsMotionFromTheLastScanThatWasLocated) {
+  const MotionPredictionParams params;
+  MotionPrediction motion{params};
+  motion.correct(kStart, {1.0, 0.0, 0.0}, true);
+  motion.correct(kStart + 2 * kSecond, {3.0, 0.0, 0.0}, false, false);
+  const auto expected = motion.predict(kStart + 4 * kSecond);
+  EXPECT_EQ(expected.T_odom_last, (Pose2{1.0, 0.0, 0.0}));
+  EXPECT_NEAR(expected.unmeasured_s, 4.0, 1e-9);
+  EXPECT_NEAR(expected.displacement_max_m, params.speed_max_m_s * (4.0 + params.stamp_error_max_s),
+              1e-9);
+}
+
 TEST(MotionPrediction, IgnoresStaleWheelReadings) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);

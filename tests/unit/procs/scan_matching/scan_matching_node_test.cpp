@@ -25,6 +25,8 @@ class ScanMatchingNodeOnABus : public testing::Test {
                             [this](const ScanMatch& match) { matches_.push_back(match); });
     subscribe<pose_t>(bus_, channels::kPose, Delivery::queued(100),
                       [this](const StampedPose& pose) { poses_.push_back(pose); });
+    subscribe<match_doubt_t>(bus_, channels::kMatchDoubt, Delivery::queued(100),
+                             [this](const MatchDoubt& doubt) { doubts_.push_back(doubt); });
   }
 
   void scan(std::int64_t utime, const Pose2& T_world_body) {
@@ -40,6 +42,7 @@ class ScanMatchingNodeOnABus : public testing::Test {
   ScanMatchingNode node_{bus_, ScanMatchingParams{}};
   std::vector<ScanMatch> matches_;
   std::vector<StampedPose> poses_;
+  std::vector<MatchDoubt> doubts_;
 };
 
 TEST_F(ScanMatchingNodeOnABus, PublishesAPoseAndAMatchForEachScan) {
@@ -83,6 +86,17 @@ TEST_F(ScanMatchingNodeOnABus, IgnoresTiltedScansAlsoWhenItRunsLate) {
   bus_.publish("BUSY", {});
   ASSERT_EQ(matches_.size(), 1U);
   EXPECT_EQ(matches_[0].utime, kStart + 30'000);
+}
+
+TEST_F(ScanMatchingNodeOnABus, PublishesADoubtIfAScanIsLostAfterAGap) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  scan(kStart + 200'000, {-1.9, 0.0, 0.0});
+  EXPECT_TRUE(doubts_.empty());
+  const LaserScan elsewhere{kStart + 5'000'000, std::vector<float>(181, 1.0F), -1.57, 0.01745};
+  bus_.inject(elsewhere.utime, channels::kLaserFront, encode(to_message(elsewhere)));
+  ASSERT_EQ(doubts_.size(), 1U);
+  EXPECT_EQ(doubts_[0].utime, elsewhere.utime);
+  EXPECT_EQ(doubts_[0].from_utime, kStart + 200'000);
 }
 
 TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileScansAreLost) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_matching/scan_matching.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -27,10 +28,10 @@ class SimulatedDrive {
     matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
   }
 
-  ScanMatch step(const Pose2& motion) {
+  ScanMatch step(const Pose2& motion, std::int64_t period_us = kPeriod) {
     T_world_body_ = T_world_body_ * motion;
     truth_ = truth_ * motion;
-    utime_ += kPeriod;
+    utime_ += period_us;
     matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
     return matches_.back();
   }
@@ -56,6 +57,51 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
   const Pose2 error = between(expected, actual);
   EXPECT_LT(error.translation().norm(), metres);
   EXPECT_LT(std::abs(error.theta), radians);
+}
+
+bool is_near(const Pose2& a, const Pose2& b) {
+  const Pose2 apart = between(a, b);
+  return apart.translation().norm() < 0.2 && std::abs(apart.theta) < 0.05;
+}
+
+/// Whether the pose, or one of the alternatives of the doubt, is the truth.
+bool admits_truth(const ScanMatch& match, SimulatedDrive& drive) {
+  if (is_near(match.T_odom_body, drive.truth())) return true;
+  const auto& doubt = drive.matching().doubt();
+  return doubt && std::ranges::any_of(doubt->alternatives, [&](const auto& alternative) {
+           return is_near(alternative.T_odom_body, drive.truth());
+         });
+}
+
+TEST(ScanMatching, FindsATurnBetweenTwoScansInACrookedRoom) {
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  for (int i = 0; i < 32; ++i) drive.step({0.0, 0.0, 0.2});
+  const ScanMatch match = drive.step({0.5, 0.0, 1.6}, 20 * kPeriod);
+  expect_near(match.T_odom_body, drive.truth(), 0.02, 0.005);
+  EXPECT_TRUE(admits_truth(match, drive));
+}
+
+TEST(ScanMatching, DoubtsATurnBetweenTwoScansInARectangularHall) {
+  const test::WallWorld hall({{{-6.0, -3.0}, {6.0, -3.0}},
+                              {{6.0, -3.0}, {6.0, 3.0}},
+                              {{6.0, 3.0}, {-6.0, 3.0}},
+                              {{-6.0, 3.0}, {-6.0, -3.0}}});
+  for (const double turn : {1.6, 3.1}) {
+    SimulatedDrive drive(hall, {0.5, 0.3, 0.0});
+    for (int i = 0; i < 32; ++i) drive.step({0.0, 0.0, 0.2});
+    const ScanMatch match = drive.step({0.0, 0.0, turn}, 20 * kPeriod);
+    ASSERT_TRUE(drive.matching().doubt()) << turn;
+    EXPECT_EQ(drive.matching().doubt()->reason, MatchDoubt::Reason::kAmbiguous);
+    EXPECT_TRUE(admits_truth(match, drive)) << turn;
+  }
+}
+
+TEST(ScanMatching, IsSureOfScansInQuickSuccession) {
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  for (int i = 0; i < 10; ++i) {
+    drive.step({0.1, 0.0, 0.1});
+    EXPECT_FALSE(drive.matching().doubt());
+  }
 }
 
 TEST(ScanMatching, StartsOdomAtTheFirstScan) {

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/map/doubt_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace adit {
+namespace {
+
+constexpr double kJoinedM = 2.0;  // less than the length of a local map
+constexpr std::size_t kStretchesMax = 200;
+constexpr std::size_t kTold = 5;  // stretches in a line of text
+
+const char* reason_text(MatchDoubt::Reason reason) {
+  switch (reason) {
+    case MatchDoubt::Reason::kLost:
+      return "lost";
+    case MatchDoubt::Reason::kPoor:
+      return "poor match";
+    case MatchDoubt::Reason::kAmbiguous:
+      return "ambiguous";
+    case MatchDoubt::Reason::kDegenerate:
+      return "degenerate";
+    case MatchDoubt::Reason::kContradicted:
+      break;
+  }
+  return "contradicted by sensors";
+}
+
+/// Distance travelled up to each pose [m].
+std::vector<double> distances(const Trajectory& path) {
+  std::vector<double> along(path.size(), 0.0);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    along[i] = along[i - 1] + between(path[i - 1].pose, path[i].pose).translation().norm();
+  }
+  return along;
+}
+
+double distance_at(std::int64_t utime, const Trajectory& path, const std::vector<double>& along) {
+  if (path.empty()) return 0.0;
+  const auto pose = std::ranges::lower_bound(path, utime, {}, &TimedPose::utime);
+  const auto i = static_cast<std::size_t>(pose - path.begin());
+  return along[std::min(i, along.size() - 1)];
+}
+
+void add_reasons(const std::vector<std::string>& more, std::vector<std::string>& reasons) {
+  for (const std::string& reason : more) {
+    if (std::ranges::find(reasons, reason) == reasons.end()) reasons.push_back(reason);
+  }
+}
+
+/// Appends a stretch, or extends the last one if it ends at most `joined_m` before.
+void append(const DoubtfulStretch& next, double joined_m, std::vector<DoubtfulStretch>& all) {
+  if (all.empty() || next.from_m - all.back().to_m > joined_m) {
+    all.push_back(next);
+    return;
+  }
+  DoubtfulStretch& last = all.back();
+  last.from_utime = std::min(last.from_utime, next.from_utime);
+  last.from_m = std::min(last.from_m, next.from_m);
+  last.to_utime = std::max(last.to_utime, next.to_utime);
+  last.to_m = std::max(last.to_m, next.to_m);
+  last.motions += next.motions;
+  last.alternatives = std::max(last.alternatives, next.alternatives);
+  add_reasons(next.reasons, last.reasons);
+}
+
+std::vector<DoubtfulStretch> joined(const std::vector<DoubtfulStretch>& stretches,
+                                    double joined_m) {
+  std::vector<DoubtfulStretch> result;
+  for (const DoubtfulStretch& stretch : stretches) append(stretch, joined_m, result);
+  return result;
+}
+
+std::string stretch_text(const DoubtfulStretch& stretch) {
+  const std::string reasons = fmt::format("{}", fmt::join(stretch.reasons, ", "));
+  if (stretch.to_m - stretch.from_m < 0.5) {
+    return fmt::format("at {:.0f} m ({})", stretch.from_m, reasons);
+  }
+  return fmt::format("at {:.0f} to {:.0f} m ({})", stretch.from_m, stretch.to_m, reasons);
+}
+
+}  // namespace
+
+std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+                                                const Trajectory& odometry,
+                                                const std::vector<LocalMap>& local_maps) {
+  const std::vector<double> along = distances(odometry);
+  std::vector<DoubtfulStretch> stretches;
+  for (const MatchDoubt& doubt : doubts) {
+    const double from_m = distance_at(doubt.from_utime, odometry, along);
+    const double to_m = distance_at(doubt.utime, odometry, along);
+    stretches.push_back({doubt.from_utime,
+                         doubt.utime,
+                         from_m,
+                         to_m,
+                         1,
+                         doubt.alternatives.size(),
+                         {reason_text(doubt.reason)},
+                         {}});
+  }
+  double joined_m = kJoinedM;
+  stretches = joined(stretches, joined_m);
+  while (stretches.size() > kStretchesMax) {
+    joined_m *= 2.0;
+    stretches = joined(stretches, joined_m);
+  }
+  for (DoubtfulStretch& stretch : stretches) {
+    for (const LocalMap& map : local_maps) {
+      const bool overlaps = map.utime <= stretch.to_utime && map.end_utime >= stretch.from_utime;
+      if (overlaps) stretch.local_maps.push_back(map.id);
+    }
+  }
+  return stretches;
+}
+
+std::string stretches_text(const std::vector<DoubtfulStretch>& stretches) {
+  if (stretches.empty()) return {};
+  std::vector<std::string> told;
+  for (const DoubtfulStretch& stretch : stretches) {
+    if (told.size() == kTold) break;
+    told.push_back(stretch_text(stretch));
+  }
+  const std::size_t more = stretches.size() - told.size();
+  return fmt::format("{} doubtful stretch{}: {}{}", stretches.size(),
+                     stretches.size() == 1 ? "" : "es", fmt::join(told, ", "),
+                     more > 0 ? fmt::format(" and {} more, see summary.json", more) : "");
+}
+
+std::vector<bool> in_stretches(const std::vector<DoubtfulStretch>& stretches,
+                               const Trajectory& trajectory) {
+  std::vector<bool> inside;
+  inside.reserve(trajectory.size());
+  auto next = stretches.begin();
+  for (const TimedPose& pose : trajectory) {
+    while (next != stretches.end() && next->to_utime < pose.utime) ++next;
+    inside.push_back(next != stretches.end() && next->from_utime <= pose.utime);
+  }
+  return inside;
+}
+
+}  // namespace adit

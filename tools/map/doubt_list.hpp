@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/sensing/match_doubt.hpp"
+#include "common/types/local_map.hpp"
+#include "tools/eval/trajectory.hpp"
+
+namespace adit {
+
+/// A stretch of the path on which the map may be wrong.
+struct DoubtfulStretch {
+  std::int64_t from_utime = 0;
+  std::int64_t to_utime = 0;
+  double from_m = 0.0;  ///< distance along the path
+  double to_m = 0.0;
+  std::size_t motions = 0;           ///< doubtful motions between scans; 0: local maps contradict
+  std::size_t alternatives = 0;      ///< most poses at which one of these scans matches
+  std::vector<std::string> reasons;  ///< each once: "lost", "poor match", ..., in order
+  std::vector<int> local_maps;       ///< ids, increasing
+};
+
+/// Joins doubtful motions into stretches if the body moves at most 2 m between them; more than 200
+/// stretches are joined over twice the distance, and so on. `odometry`: a pose for each scan, in
+/// order of time; `local_maps`: those of the run.
+std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+                                                const Trajectory& odometry,
+                                                const std::vector<LocalMap>& local_maps);
+
+/// A line for people, such as "2 doubtful stretches: at 10 to 12 m (lost), at 40 m (ambiguous)";
+/// empty without any.
+std::string stretches_text(const std::vector<DoubtfulStretch>& stretches);
+
+/// For each pose of the trajectory, whether it lies in a stretch.
+std::vector<bool> in_stretches(const std::vector<DoubtfulStretch>& stretches,
+                               const Trajectory& trajectory);
+
+}  // namespace adit

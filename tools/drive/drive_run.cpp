@@ -64,7 +64,7 @@ class Drive {
 void record_truth(Bus& bus, Trajectory& truth) {
   subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kTruthQueueSize),
                     [&truth](const StampedPose& pose) {
-                      truth.push_back({pose.utime, pose.T_odom_body});
+                      truth.push_back({pose.utime, pose.T_odom_body, pose.z_m});
                     });
 }
 

@@ -45,7 +45,7 @@ struct MapMatchingParams {
   /// Of a rough wall seen from two sides each shows the sides of its bumps that face it, so that
   /// the places seem nearer to each other, the more the flatter both see it. Measured in Mathies:
   /// 0.006 m at 10 m, 0.09 m at 25 m; as it is alike at all places, much more than that counts.
-  double far_view_sd_per_m = 0.001;
+  double far_view_sd_per_m = 0.0005;
 
   template <class V>
   void visit(V& v) {

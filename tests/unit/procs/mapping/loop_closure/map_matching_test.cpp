@@ -77,18 +77,28 @@ TEST(MapMatching, AddsACovarianceAndLeavesUnknownDirectionsUnknown) {
 TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
   const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
-  const auto sd_along = [&](double distance_m) {
-    const Pose2 truth{distance_m, 0.0, 0.0};
-    const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
-                             walls_of(mine, T_world_older), around(truth, 0.5, 0.05));
-    EXPECT_FALSE(found.empty()) << distance_m;
-    if (found.empty()) return 0.0;
-    return std::sqrt(found.front().information.inverse()(0, 0));
+  const Pose2 truth{10.0, 0.0, 0.0};
+  const LocalWalls older = walls_of(mine, T_world_older);
+  const LocalWalls newer = walls_of(mine, T_world_older * truth, 5.0, 2);
+  const auto covariance = [&](double far_view_sd_per_m) -> Eigen::Matrix3d {
+    MapMatchingParams params;
+    params.far_view_sd_per_m = far_view_sd_per_m;
+    const auto found = match_maps(newer, {{&older, {}}}, 7, around(truth, 0.5, 0.05), params);
+    EXPECT_FALSE(found.empty());
+    if (found.empty()) return Eigen::Matrix3d::Zero();
+    return found.front().information.inverse();
   };
-  EXPECT_LT(sd_along(2.0), 0.03);  // that of the walls
-  const double sd_far = sd_along(10.0);
-  EXPECT_GT(sd_far, 0.025);
-  EXPECT_LT(sd_far, 0.05);
+  const auto by_x = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.x() < b.x();
+  };
+  const double apart_m = truth.x + std::ranges::min(newer.path, by_x).x() -
+                         std::ranges::max(older.path, by_x).x();  // along a straight tunnel
+  ASSERT_GT(apart_m, 4.0);
+  const double added_sd_m = 0.001 * apart_m * apart_m;
+  const Eigen::Matrix3d added = covariance(0.001) - covariance(0.0);
+  EXPECT_NEAR(std::sqrt(added(0, 0)), added_sd_m, 0.05 * added_sd_m);
+  EXPECT_NEAR(added(1, 1), 0.0, 0.05 * added(0, 0));
+  EXPECT_NEAR(added(2, 2), 0.0, 1e-9);
 }
 
 TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {

@@ -216,13 +216,15 @@ class MapMatcher {
       return std::nullopt;
     }
     alternative.information = with_added_covariance(
-        constrained.information, floor_covariance + far_view_covariance(alternative.T_older_newer));
+        constrained.information,
+        floor_covariance + far_view_covariance(alternative.T_older_newer, match.rms_residual_m));
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
   }
 
   /// The error of a match of two places that are far from each other, in the newer frame: along the
-  /// line between the nearest points of their paths.
-  [[nodiscard]] Eigen::Matrix3d far_view_covariance(const Pose2& T) const {
+  /// line between the nearest points of their paths. Walls are rough as far as the residuals exceed
+  /// the noise of the laser.
+  [[nodiscard]] Eigen::Matrix3d far_view_covariance(const Pose2& T, double rms_residual_m) const {
     const Pose2 T_newer_older = T.inverse();
     if (older_alone_path_.empty() || newer_path_.empty()) return Eigen::Matrix3d::Zero();
     Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::max() / 4.0);
@@ -234,7 +236,10 @@ class MapMatcher {
       }
     }
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    const Eigen::Vector2d root = params_.far_view_sd_per_m * nearest.norm() * nearest;
+    const double noise_m = params_.refinement.residual_sd_min_m;
+    const double roughness_m =
+        std::sqrt(std::max(0.0, rms_residual_m * rms_residual_m - noise_m * noise_m));
+    const Eigen::Vector2d root = params_.far_view_per_m2 * roughness_m * nearest.norm() * nearest;
     covariance.topLeftCorner<2, 2>() = root * root.transpose();
     return covariance;
   }

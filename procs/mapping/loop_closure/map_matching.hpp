@@ -41,11 +41,12 @@ struct MapMatchingParams {
   /// different heights. Measured in simulated mines: 8 mm on level ground, 12 mm on slopes.
   double floor_m = 0.01;
   double floor_rad = 0.0015;
-  /// Standard deviation along the line between the two places, per square of their distance [1/m].
-  /// Of a rough wall seen from two sides each shows the sides of its bumps that face it, so that
-  /// the places seem nearer to each other, the more the flatter both see it. Measured in Mathies:
-  /// 0.006 m at 10 m, 0.09 m at 25 m; as it is alike at all places, much more than that counts.
-  double far_view_sd_per_m = 0.0005;
+  /// Standard deviation along the line between the two places, per roughness of the walls and
+  /// square of their distance [1/m²]. Of a rough wall seen from two sides each shows the sides of
+  /// its bumps that face it, so that the places seem nearer to each other, the more the flatter
+  /// both see it. Measured in Mathies (residuals of 0.011 m): 0.006 m at 10 m, 0.09 m at 25 m; as
+  /// it is alike at all places, much more than that counts. In Bruceton (0.005 m): nothing.
+  double far_view_per_m2 = 0.1;
 
   template <class V>
   void visit(V& v) {
@@ -64,7 +65,7 @@ struct MapMatchingParams {
     v("correlated_points", correlated_points, within(1.0, 1000.0));
     v("floor_m", floor_m, within(0.0, 1.0));
     v("floor_rad", floor_rad, within(0.0, 1.0));
-    v("far_view_sd_per_m", far_view_sd_per_m, within(0.0, 1.0));
+    v("far_view_per_m2", far_view_per_m2, within(0.0, 100.0));
   }
 };
 

@@ -80,9 +80,10 @@ TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
   const Pose2 truth{10.0, 0.0, 0.0};
   const LocalWalls older = walls_of(mine, T_world_older);
   const LocalWalls newer = walls_of(mine, T_world_older * truth, 5.0, 2);
-  const auto covariance = [&](double far_view_sd_per_m) -> Eigen::Matrix3d {
+  const auto covariance = [&](double far_view_per_m2) -> Eigen::Matrix3d {
     MapMatchingParams params;
-    params.far_view_sd_per_m = far_view_sd_per_m;
+    params.refinement.residual_sd_min_m = 1e-4;  // the walls are less rough than lasers are noisy
+    params.far_view_per_m2 = far_view_per_m2;
     const auto found = match_maps(newer, {{&older, {}}}, 7, around(truth, 0.5, 0.05), params);
     EXPECT_FALSE(found.empty());
     if (found.empty()) return Eigen::Matrix3d::Zero();
@@ -94,11 +95,14 @@ TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
   const double apart_m = truth.x + std::ranges::min(newer.path, by_x).x() -
                          std::ranges::max(older.path, by_x).x();  // along a straight tunnel
   ASSERT_GT(apart_m, 4.0);
-  const double added_sd_m = 0.001 * apart_m * apart_m;
-  const Eigen::Matrix3d added = covariance(0.001) - covariance(0.0);
-  EXPECT_NEAR(std::sqrt(added(0, 0)), added_sd_m, 0.05 * added_sd_m);
+  const Eigen::Matrix3d added = covariance(1.0) - covariance(0.0);
+  const double roughness_m = std::sqrt(added(0, 0)) / (apart_m * apart_m);
+  EXPECT_GT(roughness_m, 1e-4);
+  EXPECT_LT(roughness_m, 0.05);
   EXPECT_NEAR(added(1, 1), 0.0, 0.05 * added(0, 0));
   EXPECT_NEAR(added(2, 2), 0.0, 1e-9);
+  const Eigen::Matrix3d more = covariance(2.0) - covariance(0.0);
+  EXPECT_NEAR(more(0, 0), 4.0 * added(0, 0), 0.01 * added(0, 0));
 }
 
 TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {

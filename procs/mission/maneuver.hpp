@@ -70,8 +70,8 @@ bool leads_away(const Maneuver& maneuver);
 /// Whether the maneuver drives along the traversed path, not planned over the observed terrain.
 bool uses_traversed_path(const Maneuver& maneuver);
 
-/// Chooses how far the robot drives along the traversed path, and forgets it after a failed drive
-/// until a drive arrives.
+/// Chooses how far the robot drives along the traversed path. After a failed drive along it that is
+/// no option until a drive arrives, or until no planned path is found either.
 class Retracing {
  public:
   /// Poses of another odom frame are invalid.
@@ -79,6 +79,7 @@ class Retracing {
   /// The robot made progress, or the target changed.
   void note_progress() { rejoins_ = 0; }
   void note_drive(bool failed) { failed_ = failed; }
+  void forget_failed_drive() { failed_ = false; }
 
   /// Whether the robot can go back at all.
   [[nodiscard]] static bool leads_back(const TraversedPath& path);

@@ -100,8 +100,10 @@ std::optional<double> Mission::rejoin_length_m() const {
 }
 
 /// Reports a verdict on the target to exploration, unless it is straight ahead of the robot: then
-/// exploration did not choose it.
+/// exploration did not choose it. No planned path was found either: the traversed path may be tried
+/// again after a failed drive on it.
 void Mission::abandon_target() {
+  retracing_.forget_failed_drive();
   const std::string evidence = recovery_.evidence();
   const bool unconfirmed = recovery_.is_uncertain() || slope_ > kSlopeReliable;
   const double reached_m = recovery_.reached_m();

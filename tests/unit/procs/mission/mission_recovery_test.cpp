@@ -538,6 +538,27 @@ TEST_F(MissionRecovery, PlansAPathAfterAFailedDriveOnTheTraversedPath) {
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // over observed terrain
 }
 
+/// It may have failed because scan matching slipped, and its ground may be hidden from scans.
+TEST_F(MissionRecovery, DrivesOnTheTraversedPathAgainIfNoPlannedPathIsFound) {
+  turn_home();
+  ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+  path(PlanOutcome::kFound);
+  driving(Driving::kFailed, "wheel odometry and scans differ");
+  tick();
+  int planned = 0;
+  for (; planned < 10 && now() == Phase::kExplore; ++planned) {
+    answer(Kind::kHome);
+    if (now() == Phase::kPlan) break;  // without a scan
+    while (now() == Phase::kScan || now() == Phase::kPlan) {
+      if (now() == Phase::kScan) terrain();
+      path(PlanOutcome::kUnknown);
+    }
+  }
+  EXPECT_GT(planned, 0);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+}
+
 TEST_F(MissionRecovery, BacksOffByAPlannedPathIfRetracingIsRejected) {
   drive_in();
   path(PlanOutcome::kBlocked);

@@ -173,9 +173,10 @@ class Mission {
   std::vector<double> home_uncertainties_m_;
   bool looks_at_home_ = false;             ///< stands there until mapping has matched what it sees
   std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
-  double slope_ = 0.0;    ///< of the ground under the body, by the last match [m/m]
-  int scan_tries_ = 0;    ///< for the present route
-  int failed_tries_ = 0;  ///< in a row, without a path
+  double slope_ = 0.0;         ///< of the ground under the body, by the last match [m/m]
+  double unlevelled_m_ = 0.0;  ///< distance travelled with unknown roll and pitch
+  int scan_tries_ = 0;         ///< for the present route
+  int failed_tries_ = 0;       ///< in a row, without a path
 };
 
 }  // namespace adit

@@ -22,7 +22,8 @@ constexpr double kObstacleDepthM = 1.0;  // beyond the reached place, where the 
 constexpr double kSlopeReliable = 0.15;
 constexpr double kMatchAtHomeM = 5.0;  // and back: the length of two local maps
 constexpr double kStartUnmeasuredM = 2.0;
-constexpr double kStartRadiusM = 0.3;  // distance travelled; the robot is still at home
+constexpr double kUnlevelledMaxM = 5.0;  // distance travelled with unknown roll and pitch
+constexpr double kStartRadiusM = 0.3;    // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
 using Evidence = Recovery::Evidence;
@@ -140,7 +141,8 @@ void Mission::end_near_home(const std::string& reason) {
 
 /// Where the pose relative to home is too uncertain, the robot stands for some seconds, in which
 /// mapping matches what it sees. If that does not suffice it drives along the traversed path and
-/// comes home again: mapping then matches new local maps with those of the start.
+/// comes home again: mapping then matches new local maps with those of the start. Without an IMU a
+/// slope displaces the map by more than it states, and nothing measures the slope.
 void Mission::end_at_home(const std::string& reason) {
   const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
   if (!uncertainty_m) return end(MissionOutcome::kHome, "the robot is at home: " + reason);
@@ -165,6 +167,13 @@ void Mission::end_at_home(const std::string& reason) {
   }
   const double within_m = localization_.distance_from_home_m().value_or(0.0) + *uncertainty_m;
   phase_.home_within_m = within_m;
+  if (unlevelled_m_ > kUnlevelledMaxM) {
+    end(MissionOutcome::kHomeUncertain,
+        fmt::format("at home by its own estimate, not sure: within {:.2f} m (95 %) if the ground "
+                    "was level, as roll and pitch were unknown for {:.0f} m: {}",
+                    within_m, unlevelled_m_, reason));
+    return;
+  }
   end(is_sure ? MissionOutcome::kHome : MissionOutcome::kHomeUncertain,
       fmt::format("{} within {:.2f} m (95 %): {}",
                   is_sure ? "the robot is at home," : "at home by its own estimate, not sure:",

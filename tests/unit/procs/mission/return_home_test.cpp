@@ -118,6 +118,26 @@ TEST_F(MissionAtHome, SaysWithinWhichDistanceOfTheStartItIs) {
   EXPECT_THAT(phase().reason, HasSubstr("at home, within 0.37 m (95 %)"));
 }
 
+/// On slopes the map is displaced by more than it states.
+TEST_F(MissionAtHome, IsNotSureIfRollAndPitchWereUnknown) {
+  const auto drive_matched = [&](double distance_m, std::optional<Attitude> attitude) {
+    ScanMatch match;
+    match.odom_epoch_utime = kStart;
+    match.status = ScanMatch::Status::kMatched;
+    match.T_reference_body = {distance_m, 0.0, 0.0};
+    match.attitude = attitude;
+    mission_.add_match(match);
+  };
+  drive_matched(10.0, Attitude{});
+  drive_matched(6.0, std::nullopt);
+  map_with_body_sd(0.05);
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
+  EXPECT_NEAR(*phase().home_within_m, 0.25 + 2.448 * 0.05, 1e-6);
+  EXPECT_THAT(phase().reason, HasSubstr("roll and pitch were unknown for 6 m"));
+}
+
 TEST_F(MissionAtHome, MatchesAgainIfThePoseIsUncertain) {
   map_with_body_sd(0.4);
   expect_drive_for_a_match();

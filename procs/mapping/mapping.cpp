@@ -3,6 +3,8 @@
 #include "procs/mapping/mapping.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -27,6 +29,8 @@ constexpr std::size_t kRelocalisations = 3;
 constexpr double kRelocalisedLogLikelihood = 15.0;
 // The number of newest maps whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
+// Of older maps, contradictions that a revision may remove.
+constexpr std::size_t kContradictionsMonitored = 8;
 // Share of its walls that a local map has in common with others if it shows nothing new.
 constexpr double kRedundantShare = 0.98;
 // Of two local maps, −2 log-likelihood ratio: as the gate of a loop closure. Right maps of public
@@ -445,7 +449,8 @@ void Mapping::add_deformations(std::vector<LoopClosure>& loop_closures) const {
   }
 }
 
-/// The contradictions between the newest maps and the older ones that they overlap, at these poses.
+/// The contradictions between the newest maps and the older ones that they overlap, and those found
+/// earlier between others, at these poses.
 double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double map_inconsistency = 0.0;
@@ -464,7 +469,31 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
     }
     map_inconsistency += largest;
   }
+  for (const auto& [older, newer] : known_contradictions(newest - kMapsMonitored)) {
+    const auto poses = up_to(newer, T_map_local);
+    const Pose2 T_older_newer = between(poses[static_cast<std::size_t>(older)], poses.back());
+    map_inconsistency += contradiction(walls_[static_cast<std::size_t>(newer)],
+                                       walls_around(older, poses), T_older_newer, params_.matching);
+  }
   return map_inconsistency;
+}
+
+/// Of each map up to `last` the pair (older, newer) with the most evidence, the strongest ones.
+std::vector<std::array<int, 2>> Mapping::known_contradictions(int last) const {
+  std::map<int, MapContradiction> by_newer;
+  for (const MapContradiction& pair : contradictions_.contradictions()) {
+    MapContradiction& strongest = by_newer[pair.newer_map];
+    if (pair.newer_map <= last && pair.evidence > strongest.evidence) strongest = pair;
+  }
+  std::vector<MapContradiction> found;
+  for (const auto& [newer, pair] : by_newer) {
+    if (pair.evidence > 0.0) found.push_back(pair);
+  }
+  std::ranges::stable_sort(found, std::greater{}, &MapContradiction::evidence);
+  if (found.size() > kContradictionsMonitored) found.resize(kContradictionsMonitored);
+  std::vector<std::array<int, 2>> pairs;
+  for (const MapContradiction& pair : found) pairs.push_back({pair.older_map, pair.newer_map});
+  return pairs;
 }
 
 /// The walls of a map and of its neighbours in the chain, in its frame.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -134,6 +135,7 @@ class Mapping : private Evidence {
   [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial,
                                                        bool thorough) const override;
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
+  [[nodiscard]] std::vector<std::array<int, 2>> known_contradictions(int last) const;
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
   [[nodiscard]] Eigen::Matrix3d deformation(int map) const;
   void add_deformations(std::vector<LoopClosure>& loop_closures) const;

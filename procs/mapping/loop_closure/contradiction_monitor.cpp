@@ -13,6 +13,14 @@ namespace {
 constexpr double kMovedM = 0.1;
 constexpr double kMovedRad = 0.02;
 
+constexpr double kOneHeightM = 0.5;
+
+/// Whether all walls were observed at about one height.
+bool is_level(const LocalWalls& walls) {
+  const auto [lowest, highest] = std::ranges::minmax_element(walls.points, {}, &SurfacePoint::z_m);
+  return lowest == walls.points.end() || highest->z_m - lowest->z_m < kOneHeightM;
+}
+
 bool has_moved(const Pose2& before, const Pose2& now, double share) {
   const Pose2 by = between(before, now);
   return by.translation().norm() > share * kMovedM || std::abs(by.theta) > share * kMovedRad;
@@ -34,9 +42,12 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
     moved[i] = has_moved(compared_at_[i], T_map_local[i], 0.5);
   }
   compared_at_.resize(T_map_local.size());
+  for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
+    is_level_.push_back(is_level(walls[i]));
+  }
   for (std::size_t newer = 0; newer < T_map_local.size(); ++newer) {
     for (std::size_t older = 0; older < newer; ++older) {
-      if (!moved[newer] && !moved[older]) continue;
+      if (!is_level_[newer] || !is_level_[older] || (!moved[newer] && !moved[older])) continue;
       const Pose2 T_older_newer = between(T_map_local[older], T_map_local[newer]);
       const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
       if (!may_overlap(extents[older], extents[newer], T_older_newer)) {

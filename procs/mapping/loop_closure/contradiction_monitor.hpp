@@ -19,7 +19,9 @@ namespace adit {
 /// The likelihood of the map where local maps overlap (paper, section 2.3), with and without loop
 /// closures between them: of all pairs, those of which one has walls where the other observed free
 /// space. A pair is compared again when its relative pose has changed by more than 0.1 m or
-/// 0.02 rad, so that the cost follows from what changed.
+/// 0.02 rad, so that the cost follows from what changed. Only local maps whose walls were observed
+/// at one height take part: where the body pitches and rolls, right maps show different sections of
+/// rough walls, ground and roof.
 class ContradictionMonitor {
  public:
   /// Whether two local maps may show the same ground at T_older_newer.
@@ -53,6 +55,7 @@ class ContradictionMonitor {
 
   MapMatchingParams params_;
   double evidence_min_;
+  std::vector<bool> is_level_;                 ///< of each map
   std::vector<Pose2> compared_at_;             ///< T_map_local of each map
   std::map<std::pair<int, int>, Pair> pairs_;  ///< (newer, older) that may overlap
   std::vector<MapContradiction> contradictions_;

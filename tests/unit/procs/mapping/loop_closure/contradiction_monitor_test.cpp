@@ -73,6 +73,15 @@ TEST_F(ContradictionMonitorTest, LeavesOutMapsOfDifferentLevels) {
   EXPECT_TRUE(update(turned(std::numbers::pi / 2.0)).empty());
 }
 
+/// Ground and roof are taken for walls where the body pitches.
+TEST_F(ContradictionMonitorTest, LeavesOutMapsWithWallsAtDifferentHeights) {
+  for (LocalWalls& walls : walls_) {
+    walls.points.front().z_m = -1.0;
+    walls.points.back().z_m = 1.0;
+  }
+  EXPECT_TRUE(update(turned(std::numbers::pi / 2.0)).empty());
+}
+
 TEST_F(ContradictionMonitorTest, BoundsTheContradictionWithoutWalls) {
   const std::vector<Pose2> poses = turned(std::numbers::pi / 2.0);
   const MapMatchingParams params;

@@ -21,6 +21,7 @@ inline constexpr std::string_view kLocalMap = "LOCAL_MAP";
 inline constexpr std::string_view kPoseGraph = "POSE_GRAPH";
 inline constexpr std::string_view kMapCorrection = "MAP_CORRECTION";
 inline constexpr std::string_view kAssociation = "ASSOCIATION";
+inline constexpr std::string_view kContradictions = "CONTRADICTIONS";
 inline constexpr std::string_view kDriveCommand = "DRIVE_COMMAND";
 inline constexpr std::string_view kStop = "STOP";
 inline constexpr std::string_view kTiltCommandFront = "TILT_COMMAND_FRONT";
@@ -57,15 +58,15 @@ inline constexpr std::string_view kPmDiscover = "PM_DISCOVER";
 
 /// All channels.
 inline constexpr std::array kAll{
-    kLaserFront,      kLaserRear,    kPose,         kTiltFront,   kTiltRear,
-    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,    kPoseGraph,
-    kMapCorrection,   kAssociation,  kDriveCommand, kStop,        kTiltCommandFront,
-    kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
-    kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
-    kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
-    kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
-    kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder, kCloudRequest, kCloudResend, kTerrainReady,
-    kMatchDoubt};
+    kLaserFront,      kLaserRear,     kPose,         kTiltFront,   kTiltRear,
+    kWheelOdometry,   kImu,           kScanMatch,    kLocalMap,    kPoseGraph,
+    kMapCorrection,   kAssociation,   kDriveCommand, kStop,        kTiltCommandFront,
+    kTiltCommandRear, kVehicleState,  kGas,          kSinkage,     kTruth,
+    kRunState,        kSimTime,       kSimTimeDone,  kScanRequest, kCloud,
+    kTerrain,         kVolume,        kGoal,         kPath,        kDrivingState,
+    kHeartbeat,       kConfig,        kStageStats,   kPmInfo,      kPmOrders,
+    kPmOutput,        kPmDiscover,    kExploration,  kPhase,       kExploreRequest,
+    kMapRequest,      kMissionOrder,  kCloudRequest, kCloudResend, kTerrainReady,
+    kMatchDoubt,      kContradictions};
 
 }  // namespace adit::channels

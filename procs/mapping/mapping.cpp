@@ -3,6 +3,8 @@
 #include "procs/mapping/mapping.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -27,8 +29,13 @@ constexpr std::size_t kRelocalisations = 3;
 constexpr double kRelocalisedLogLikelihood = 15.0;
 // The number of newest maps whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
+// Of older maps, contradictions that a revision may remove.
+constexpr std::size_t kContradictionsMonitored = 8;
 // Share of its walls that a local map has in common with others if it shows nothing new.
 constexpr double kRedundantShare = 0.98;
+// Of two local maps, −2 log-likelihood ratio: as the gate of a loop closure. Right maps of public
+// logs reach 12, wrong ones mostly more than 40.
+constexpr double kContradiction = 21.1;
 // Tolerated error of the estimated pose of a map, for its inconsistency.
 const Eigen::Vector3d kInconsistencySd(0.2, 0.2, 0.02);
 
@@ -77,7 +84,8 @@ Mapping::Mapping(const MappingParams& params)
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
       builder_(builder_params(params)),
       association_(params.association),
-      heights_(params.heights) {}
+      heights_(params.heights),
+      contradictions_(params.matching, kContradiction) {}
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   for (LocalMap& map : stored.maps) append_map(std::move(map));
@@ -87,7 +95,10 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   std::optional<MapUpdate> update;
   if (stored.unfinished) update = add_local_map(std::move(*stored.unfinished));
   if (maps_.empty()) return update;
-  if (!update) update_covariance_from_first();
+  if (!update) {
+    update_covariance_from_first();
+    update_contradictions();
+  }
   builder_ =
       LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
   odom_ = Odom::kRestored;
@@ -211,6 +222,7 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   } else {
     update_covariance_from_first();
   }
+  update_contradictions();
   return update;
 }
 
@@ -309,6 +321,15 @@ void Mapping::append_map(LocalMap map) {
 void Mapping::update_heights() {
   heights_.update(maps_, walls_,
                   constraints_in_force(association_.problem(), association_.hypothesis()));
+}
+
+void Mapping::update_contradictions() {
+  const auto same_level = [this](int older, int newer, const Pose2& T_older_newer) {
+    return heights_.same_level(older, newer, T_older_newer, walls_);
+  };
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
+  const auto around = [&](int map) { return walls_around(map, poses); };
+  contradictions_.update(walls_, extents_, poses, around, same_level);
 }
 
 /// Links a session to the end of the previous one, loosely: if odom continues, a few metres of the
@@ -428,7 +449,8 @@ void Mapping::add_deformations(std::vector<LoopClosure>& loop_closures) const {
   }
 }
 
-/// The contradictions between the newest maps and the older ones that they overlap, at these poses.
+/// The contradictions between the newest maps and the older ones that they overlap, and those found
+/// earlier between others, at these poses.
 double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double map_inconsistency = 0.0;
@@ -447,7 +469,31 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
     }
     map_inconsistency += largest;
   }
+  for (const auto& [older, newer] : known_contradictions(newest - kMapsMonitored)) {
+    const auto poses = up_to(newer, T_map_local);
+    const Pose2 T_older_newer = between(poses[static_cast<std::size_t>(older)], poses.back());
+    map_inconsistency += contradiction(walls_[static_cast<std::size_t>(newer)],
+                                       walls_around(older, poses), T_older_newer, params_.matching);
+  }
   return map_inconsistency;
+}
+
+/// Of each map up to `last` the pair (older, newer) with the most evidence, the strongest ones.
+std::vector<std::array<int, 2>> Mapping::known_contradictions(int last) const {
+  std::map<int, MapContradiction> by_newer;
+  for (const MapContradiction& pair : contradictions_.contradictions()) {
+    MapContradiction& strongest = by_newer[pair.newer_map];
+    if (pair.newer_map <= last && pair.evidence > strongest.evidence) strongest = pair;
+  }
+  std::vector<MapContradiction> found;
+  for (const auto& [newer, pair] : by_newer) {
+    if (pair.evidence > 0.0) found.push_back(pair);
+  }
+  std::ranges::stable_sort(found, std::greater{}, &MapContradiction::evidence);
+  if (found.size() > kContradictionsMonitored) found.resize(kContradictionsMonitored);
+  std::vector<std::array<int, 2>> pairs;
+  for (const MapContradiction& pair : found) pairs.push_back({pair.older_map, pair.newer_map});
+  return pairs;
 }
 
 /// The walls of a map and of its neighbours in the chain, in its frame.
@@ -480,6 +526,10 @@ MapGraph Mapping::graph() const {
     graph.constraints.push_back({c, MapConstraint::Kind::kLoopClosure});
   }
   return graph;
+}
+
+MapContradictions Mapping::contradictions() const {
+  return {maps_.empty() ? 0 : maps_.back().end_utime, revision_, contradictions_.contradictions()};
 }
 
 std::optional<MapCorrection> Mapping::correction() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,8 +16,10 @@
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
+#include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 #include "procs/mapping/local_map_builder.hpp"
+#include "procs/mapping/loop_closure/contradiction_monitor.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
@@ -104,6 +107,8 @@ class Mapping : private Evidence {
   /// Empty before the first local map, and while the pose of odom in map is unknown: from the start
   /// of a new odom frame to its first local map.
   [[nodiscard]] std::optional<MapCorrection> correction() const;
+  /// The local maps that contradict each other at the poses of `graph`.
+  [[nodiscard]] MapContradictions contradictions() const;
   /// The unfinished local map.
   [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
@@ -119,6 +124,7 @@ class Mapping : private Evidence {
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);
   void update_heights();
+  void update_contradictions();
   void link_session(LocalMap& map) const;
   void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
@@ -129,6 +135,7 @@ class Mapping : private Evidence {
   [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial,
                                                        bool thorough) const override;
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
+  [[nodiscard]] std::vector<std::array<int, 2>> known_contradictions(int last) const;
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
   [[nodiscard]] Eigen::Matrix3d deformation(int map) const;
   void add_deformations(std::vector<LoopClosure>& loop_closures) const;
@@ -143,6 +150,7 @@ class Mapping : private Evidence {
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
   MapHeights heights_;
+  ContradictionMonitor contradictions_;
   std::int64_t revision_ = 0;
   enum class Odom {
     kKnown,     ///< that of the newest local map

@@ -155,7 +155,15 @@ void MappingNode::publish_graph() {
   for (const PoseGraphFragment& fragment : split(mapping_.graph())) {
     publish(bus_, channels::kPoseGraph, to_message(fragment));
   }
+  publish_contradictions();
   publish_correction();
+}
+
+void MappingNode::publish_contradictions() {
+  const MapContradictions contradictions = mapping_.contradictions();
+  if (contradictions.pairs == published_contradictions_) return;
+  published_contradictions_ = contradictions.pairs;
+  publish(bus_, channels::kContradictions, to_message(contradictions));
 }
 
 void MappingNode::publish_correction() {

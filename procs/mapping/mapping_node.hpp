@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
@@ -34,7 +35,8 @@ struct MappingNodeParams : MappingParams {
 ///      MAP_REQUEST (map_request_t), WHEEL_ODOMETRY (wheel_odometry_t), if there are wheels.
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
 ///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
-///      (map_correction_t), which is repeated each second with the present uncertainty.
+///      (map_correction_t), which is repeated each second with the present uncertainty;
+///      CONTRADICTIONS (map_contradictions_t) on change.
 ///      On request all local maps again, some fragments at a time, with the graph before and after.
 /// If a journal is configured and exists, its map is continued: after a restart only the last 0.3 m
 /// of the path (`journal_interval_m`) are lost, and the map is published immediately.
@@ -56,6 +58,7 @@ class MappingNode {
   void handle_update(const MapUpdate& update);
   void publish_update(const MapUpdate& update);
   void publish_graph();
+  void publish_contradictions();
   void publish_correction();
   void resend();
 
@@ -64,7 +67,8 @@ class MappingNode {
   Mapping mapping_;
   MapResender resender_;
   std::deque<LocalMapFragment> resend_queue_;  ///< fragments to resend
-  bool graph_pending_ = false;                 ///< publish the graph at the next tick
+  std::optional<std::vector<MapContradiction>> published_contradictions_;
+  bool graph_pending_ = false;  ///< publish the graph at the next tick
   std::optional<MapJournal> journal_;
   std::optional<MapUpdate> restored_;  ///< update by the restored unfinished local map
   int journaled_map_ = -1;             ///< id of the newest local map of which a part is stored

@@ -235,6 +235,7 @@ std::vector<MessageType> stage_types() {
   const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 9, 1, 2};
   const ConfigSnapshot config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
   const MapCorrection correction{kUtime, 12, 0, 40, {0.3, -0.2, 0.01}, kCovariance};
+  const MapContradictions contradictions{kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}};
   const StageStats stats{kUtime,
                          "mapping",
                          5.0,
@@ -250,6 +251,7 @@ std::vector<MessageType> stage_types() {
           type_of(channels::kPoseGraph, to_message(split(sample_graph()).front())),
           type_of(channels::kMapCorrection, to_message(correction)),
           type_of(channels::kAssociation, to_message(sample_association())),
+          type_of(channels::kContradictions, to_message(contradictions)),
           type_of(channels::kHeartbeat, to_message(heartbeat)),
           type_of(channels::kConfig, to_message(config)),
           type_of(channels::kStageStats, to_message(stats))};

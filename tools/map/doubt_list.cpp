@@ -77,6 +77,29 @@ std::vector<DoubtfulStretch> joined(const std::vector<DoubtfulStretch>& stretche
   return result;
 }
 
+/// Ids of consecutive local maps.
+struct MapInterval {
+  int first = 0;
+  int last = 0;
+};
+
+/// The fewest intervals such that the path between the maps of each contradiction contains one: the
+/// intersections of as many as possible, from the one that ends first.
+std::vector<MapInterval> common_intervals(std::vector<MapContradiction> contradictions) {
+  std::ranges::stable_sort(contradictions, {}, &MapContradiction::newer_map);
+  std::vector<MapInterval> intervals;
+  int end = -1;  // of the first interval in the intersection
+  for (const MapContradiction& pair : contradictions) {
+    if (pair.older_map >= end) {
+      end = pair.newer_map;
+      intervals.push_back({pair.older_map, pair.newer_map});
+    } else {
+      intervals.back().first = std::max(intervals.back().first, pair.older_map);
+    }
+  }
+  return intervals;
+}
+
 std::string stretch_text(const DoubtfulStretch& stretch) {
   const std::string reasons = fmt::format("{}", fmt::join(stretch.reasons, ", "));
   if (stretch.to_m - stretch.from_m < 0.5) {
@@ -87,7 +110,30 @@ std::string stretch_text(const DoubtfulStretch& stretch) {
 
 }  // namespace
 
+std::vector<DoubtfulStretch> contradictory_stretches(
+    const std::vector<MapContradiction>& contradictions, const Trajectory& path,
+    const std::vector<const LocalMap*>& local_maps) {
+  const std::vector<double> along = distances(path);
+  std::vector<DoubtfulStretch> stretches;
+  for (const MapInterval& common : common_intervals(contradictions)) {
+    DoubtfulStretch stretch;
+    stretch.reasons = {"contradictory"};
+    for (const LocalMap* map : local_maps) {
+      if (map->id < common.first || map->id > common.last || map->end_utime == 0) continue;
+      if (stretch.local_maps.empty()) stretch.from_utime = map->utime;
+      stretch.to_utime = map->end_utime;
+      stretch.local_maps.push_back(map->id);
+    }
+    if (stretch.local_maps.empty()) continue;  // of earlier runs
+    stretch.from_m = distance_at(stretch.from_utime, path, along);
+    stretch.to_m = distance_at(stretch.to_utime, path, along);
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
 std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+                                                const std::vector<MapContradiction>& contradictions,
                                                 const Trajectory& odometry,
                                                 const std::vector<LocalMap>& local_maps) {
   const std::vector<double> along = distances(odometry);
@@ -116,7 +162,11 @@ std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& d
       if (overlaps) stretch.local_maps.push_back(map.id);
     }
   }
-  return stretches;
+  std::vector<const LocalMap*> maps;
+  for (const LocalMap& map : local_maps) maps.push_back(&map);
+  std::vector<DoubtfulStretch> all = contradictory_stretches(contradictions, odometry, maps);
+  all.insert(all.end(), stretches.begin(), stretches.end());
+  return all;
 }
 
 std::string stretches_text(const std::vector<DoubtfulStretch>& stretches) {
@@ -136,10 +186,10 @@ std::vector<bool> in_stretches(const std::vector<DoubtfulStretch>& stretches,
                                const Trajectory& trajectory) {
   std::vector<bool> inside;
   inside.reserve(trajectory.size());
-  auto next = stretches.begin();
   for (const TimedPose& pose : trajectory) {
-    while (next != stretches.end() && next->to_utime < pose.utime) ++next;
-    inside.push_back(next != stretches.end() && next->from_utime <= pose.utime);
+    inside.push_back(std::ranges::any_of(stretches, [&](const DoubtfulStretch& stretch) {
+      return stretch.from_utime <= pose.utime && pose.utime <= stretch.to_utime;
+    }));
   }
   return inside;
 }

@@ -9,6 +9,7 @@
 
 #include "common/sensing/match_doubt.hpp"
 #include "common/types/local_map.hpp"
+#include "common/types/map_contradictions.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
@@ -25,10 +26,20 @@ struct DoubtfulStretch {
   std::vector<int> local_maps;       ///< ids, increasing
 };
 
-/// Joins doubtful motions into stretches if the body moves at most 2 m between them; more than 200
-/// stretches are joined over twice the distance, and so on. `odometry`: a pose for each scan, in
-/// order of time; `local_maps`: those of the run.
+/// The fewest stretches that explain all contradictions: the path between two local maps that
+/// contradict each other is wrong somewhere, and where the stretches of several pairs have a part
+/// in common, an error there explains them all. From the beginning of the older to the end of the
+/// newer local map. `path`: in order of time; `local_maps`: those of the run, by id; what lies in
+/// earlier runs is left out.
+std::vector<DoubtfulStretch> contradictory_stretches(
+    const std::vector<MapContradiction>& contradictions, const Trajectory& path,
+    const std::vector<const LocalMap*>& local_maps);
+
+/// The contradictory stretches, then those of doubtful motions, both along the path. Motions are
+/// joined if the body moves at most 2 m between them; more than 200 stretches are joined over twice
+/// the distance, and so on. `odometry`: a pose for each scan, in order of time.
 std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+                                                const std::vector<MapContradiction>& contradictions,
                                                 const Trajectory& odometry,
                                                 const std::vector<LocalMap>& local_maps);
 

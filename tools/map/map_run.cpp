@@ -94,10 +94,10 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
 
 ReplayOptions replay_options(bool use_odometry) {
   ReplayOptions options;
-  for (const auto channel :
-       {channels::kPose, channels::kScanMatch, channels::kMatchDoubt, channels::kLocalMap,
-        channels::kPoseGraph, channels::kMapCorrection, channels::kAssociation,
-        channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
+  for (const auto channel : {channels::kPose, channels::kScanMatch, channels::kMatchDoubt,
+                             channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,
+                             channels::kAssociation, channels::kContradictions,
+                             channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
     options.excluded_channels.emplace(channel);
   }
   if (!use_odometry) {
@@ -217,8 +217,8 @@ MapRunResult run_map(const MapRunOptions& options,
     result.warnings.emplace_back(
         "no loop closure to the resumed map: the pose of this run in it is not verified");
   }
-  const std::vector<DoubtfulStretch> stretches =
-      doubtful_stretches(record.doubts(), record.odometry(), record.local_maps());
+  const std::vector<DoubtfulStretch> stretches = doubtful_stretches(
+      record.doubts(), record.contradictions(), record.odometry(), record.local_maps());
   result.doubtful = stretches_text(stretches);
   if (!write_map_files(map, record, stretches, files, folder)) {
     result.warnings.emplace_back("no map: the poses exceed the size limit of map_grid");

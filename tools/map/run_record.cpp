@@ -38,6 +38,10 @@ void MapSubscription::subscribe(Bus& bus, Handlers handlers) {
   adit::subscribe<association_t>(
       bus, channels::kAssociation, all,
       [this](const Association& association) { handlers_.on_association(association); });
+  adit::subscribe<map_contradictions_t>(bus, channels::kContradictions, all,
+                                        [this](MapContradictions contradictions) {
+                                          handlers_.on_contradictions(std::move(contradictions));
+                                        });
 }
 
 RunRecord::RunRecord(Bus& bus) {
@@ -50,7 +54,9 @@ RunRecord::RunRecord(Bus& bus) {
   map_subscription_.subscribe(
       bus, {.on_local_map = [this](LocalMap map) { on_local_map(std::move(map)); },
             .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
-            .on_association = [this](const Association& a) { associations_.push_back(a); }});
+            .on_association = [this](const Association& a) { associations_.push_back(a); },
+            .on_contradictions =
+                [this](MapContradictions found) { contradictions_ = std::move(found.pairs); }});
 }
 
 void RunRecord::subscribe_laser(Bus& bus, std::string_view channel) {

@@ -20,19 +20,21 @@
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
+#include "common/types/map_contradictions.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/map/segment_list.hpp"
 
 namespace adit {
 
-/// Receives the output of mapping: LOCAL_MAP and POSE_GRAPH, reassembled from their fragments, and
-/// ASSOCIATION.
+/// Receives the output of mapping: LOCAL_MAP and POSE_GRAPH, reassembled from their fragments,
+/// ASSOCIATION and CONTRADICTIONS.
 class MapSubscription {
  public:
   struct Handlers {
     std::function<void(LocalMap)> on_local_map;
     std::function<void(MapGraph)> on_graph;
     std::function<void(const Association&)> on_association;
+    std::function<void(MapContradictions)> on_contradictions;
   };
 
   /// Must be called once. `bus` must not deliver messages after this is destroyed.
@@ -75,6 +77,10 @@ class RunRecord {
   [[nodiscard]] const std::vector<Association>& associations() const { return associations_; }
   /// Last POSE_GRAPH; nothing before the first local map.
   [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
+  /// Local maps that contradict each other at the end.
+  [[nodiscard]] const std::vector<MapContradiction>& contradictions() const {
+    return contradictions_;
+  }
 
   /// T_odom_body at each scan with a pose.
   [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
@@ -101,6 +107,7 @@ class RunRecord {
   MapSubscription map_subscription_;
   std::vector<LocalMap> local_maps_;
   std::vector<Association> associations_;
+  std::vector<MapContradiction> contradictions_;
   std::optional<MapGraph> graph_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -109,7 +110,16 @@ Json bytes_json(const FullMap& map) {
   return {{"serialised", std::round(mean(serialised))}, {"resident", std::round(mean(resident))}};
 }
 
-Json map_json(const FullMap& map) {
+/// The number of pairs of local maps that contradict each other, and these local maps.
+Json contradictions_json(const std::vector<MapContradiction>& contradictions) {
+  std::set<int> local_maps;
+  for (const MapContradiction& pair : contradictions) {
+    local_maps.insert({pair.older_map, pair.newer_map});
+  }
+  return {{"pairs", contradictions.size()}, {"local_maps", local_maps}};
+}
+
+Json map_json(const FullMap& map, const std::vector<MapContradiction>& contradictions) {
   const LoopClosureCounts loop_closures = count_loop_closures(map);
   return {{"sessions", map.paths.size()},
           {"local_maps", map.local_maps.size()},
@@ -118,6 +128,7 @@ Json map_json(const FullMap& map) {
             {"accepted", loop_closures.accepted},
             {"revised", loop_closures.revised},
             {"to_earlier_sessions", count_cross_session_loop_closures(map)}}},
+          {"contradictions", contradictions_json(contradictions)},
           {"objective", objective(pose_graph_of(map.graph))},
           {"bytes_per_local_map", bytes_json(map)}};
 }
@@ -162,7 +173,7 @@ std::string summary_json(const RunRecord& record, const FullMap& map,
       {"ms_per_local_map",
        {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
       {"peak_memory_mb", cost.peak_memory_mb},
-      {"map", map_json(map)},
+      {"map", map_json(map, record.contradictions())},
       {"doubtful_stretches", stretches_json(stretches)},
       {"unobserved_segments_joined_m", record.segments().joined_m()},
       {"unobserved_segments", segments_json(record)}};

@@ -81,6 +81,12 @@ void count_frontiers(const MissionRecords& records, MissionStatistics& statistic
   statistics.explored_m = report->budget.explored_m;
 }
 
+void add_contradictions(const MissionRecords& records, const MissionMap& map,
+                        MissionStatistics& statistics) {
+  statistics.contradictory =
+      contradictory_stretches(records.map.contradictions(), map.path(), map.full_map().local_maps);
+}
+
 void count_events(const MissionRecords& records, MissionStatistics& statistics) {
   for (const MissionEvent& event : records.events.events()) {
     if (event.kind == MissionEvent::Kind::kRestart) ++statistics.restarts;
@@ -116,6 +122,7 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   statistics.local_maps = map.full_map().local_maps.size();
   statistics.loop_closures = count_loop_closures(map.full_map());
   statistics.revoked = graph_picture(map.full_map()).revoked.size();
+  add_contradictions(records, map, statistics);
   count_frontiers(records, statistics);
   count_events(records, statistics);
   if (records.state.run_state()) statistics.failure = records.state.run_state()->failure;
@@ -216,10 +223,22 @@ std::string end_text(const MissionStatistics& statistics) {
   return "";
 }
 
+/// Where the map contradicts itself; empty if it does not.
+std::string map_quality_text(const MissionStatistics& statistics) {
+  if (statistics.contradictory.empty()) return "";
+  double length_m = 0.0;
+  for (const DoubtfulStretch& stretch : statistics.contradictory) {
+    length_m += stretch.to_m - stretch.from_m;
+  }
+  return fmt::format(" The map contradicts itself over {}: {}.", metres(length_m),
+                     stretches_text(statistics.contradictory));
+}
+
 }  // namespace
 
 std::string outcome_text(const MissionStatistics& statistics) {
-  std::string text = end_text(statistics) + frontiers_text(statistics);
+  std::string text =
+      end_text(statistics) + frontiers_text(statistics) + map_quality_text(statistics);
   if (statistics.failure && !statistics.failure->empty()) {
     text += fmt::format(" The simulated run failed: {}", sentence(*statistics.failure));
   }

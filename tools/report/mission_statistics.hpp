@@ -13,6 +13,7 @@
 #include "common/types/mission.hpp"
 #include "tools/eval/map_consistency.hpp"
 #include "tools/eval/trajectory_score.hpp"
+#include "tools/map/doubt_list.hpp"
 #include "tools/map/summary.hpp"
 #include "tools/report/mission_map.hpp"
 #include "tools/report/records/event_record.hpp"
@@ -67,6 +68,8 @@ struct MissionStatistics {
   std::size_t local_maps = 0;
   LoopClosureCounts loop_closures;
   std::size_t revoked = 0;  ///< loop closures that were accepted and revoked later
+  /// On which the map contradicts itself at the end.
+  std::vector<DoubtfulStretch> contradictory;
   std::optional<FrontierCounts> frontiers;
   std::optional<double> explored_m;
   std::optional<TrajectoryScore> score;       ///< against TRUTH
@@ -82,7 +85,7 @@ struct MissionStatistics {
 
 MissionStatistics mission_statistics(const MissionRecords& records, const MissionMap& map);
 
-/// Outcome of a mission in one to three sentences.
+/// Outcome of a mission in one to four sentences.
 std::string outcome_text(const MissionStatistics& statistics);
 
 /// The errors against TRUTH, beside the allowed ones, in one line; empty without TRUTH.

@@ -87,6 +87,19 @@ Json configs_json(const LogInfo& log_info) {
   return configs;
 }
 
+/// The stretches on which the map contradicts itself.
+Json contradictory_json(const MissionStatistics& statistics) {
+  Json list = Json::array();
+  for (const DoubtfulStretch& stretch : statistics.contradictory) {
+    list.push_back({{"from_utime", stretch.from_utime},
+                    {"to_utime", stretch.to_utime},
+                    {"from_m", stretch.from_m},
+                    {"to_m", stretch.to_m},
+                    {"local_maps", stretch.local_maps}});
+  }
+  return list;
+}
+
 /// Figures of a mission as JSON, for summary.json. Values without data in the log are null.
 std::string mission_summary_json(const MissionStatistics& statistics, const LogInfo& log_info) {
   const Json json{
@@ -106,7 +119,8 @@ std::string mission_summary_json(const MissionStatistics& statistics, const LogI
          {{"proposed", statistics.loop_closures.proposed},
           {"accepted", statistics.loop_closures.accepted},
           {"revised", statistics.loop_closures.revised},
-          {"revoked", statistics.revoked}}}}},
+          {"revoked", statistics.revoked}}},
+        {"contradictory_stretches", contradictory_json(statistics)}}},
       {"frontiers", frontiers_json(statistics)},
       {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
       {"restarts", statistics.restarts},
@@ -201,6 +215,12 @@ void write_map(const ReportInput& input, const std::filesystem::path& folder,
   write_map_server(*input.map.grid, folder, "map");
   MapPicture picture = map_picture(input.map.map->full_map(), input.title);
   picture.graph = graph_picture(input.map.map->full_map());
+  if (!input.statistics.contradictory.empty()) {
+    for (const Trajectory& path : input.map.map->full_map().paths) {
+      const auto doubtful = in_stretches(input.statistics.contradictory, path);
+      picture.doubtful.insert(picture.doubtful.end(), doubtful.begin(), doubtful.end());
+    }
+  }
   write_map_png(*input.map.grid, picture, folder / "map.png");
 }
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/mapping/association.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "common/messages/planar_geometry.hpp"
 
@@ -17,6 +20,7 @@ static_assert(static_cast<int>(Action::kRevised) == association_t::ACTION_REVISE
 static_assert(Association::kNone == association_t::NONE);
 
 constexpr std::int32_t kAlternativesMax = 500;
+constexpr std::size_t kPairsMax = 1000;
 
 loop_closure_alternative_t to_message(const LoopClosureAlternative& alternative) {
   loop_closure_alternative_t message;
@@ -97,6 +101,38 @@ Result<Association> from_message(const association_t& message) {
   association.log_likelihood = message.log_likelihood;
   association.reason = message.reason;
   return association;
+}
+
+map_contradictions_t to_message(const MapContradictions& contradictions) {
+  std::vector<MapContradiction> pairs = contradictions.pairs;
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.evidence > b.evidence; });
+  if (pairs.size() > kPairsMax) pairs.resize(kPairsMax);
+  map_contradictions_t message;
+  message.utime = contradictions.utime;
+  message.revision = contradictions.revision;
+  message.n_pairs = static_cast<std::int32_t>(pairs.size());
+  for (const MapContradiction& pair : pairs) {
+    message.older_maps.push_back(pair.older_map);
+    message.newer_maps.push_back(pair.newer_map);
+    message.evidence.push_back(pair.evidence);
+  }
+  return message;
+}
+
+Result<MapContradictions> from_message(const map_contradictions_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  const auto n = static_cast<std::size_t>(message.n_pairs);
+  if (n > kPairsMax) return Rejected{"implausible number of pairs"};
+  MapContradictions contradictions{message.utime, message.revision, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const int older = message.older_maps[i];
+    const int newer = message.newer_maps[i];
+    if (older < 0 || older >= newer) return Rejected{"pair is not an older and a newer map"};
+    if (!std::isfinite(message.evidence[i])) return Rejected{"evidence is not finite"};
+    contradictions.pairs.push_back({older, newer, message.evidence[i]});
+  }
+  return contradictions;
 }
 
 }  // namespace adit

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "common/geometry/symmetric_eigen.hpp"
@@ -325,6 +326,39 @@ double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& ol
                      const Pose2& T_older_newer, const MapMatchingParams& params) {
   const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
   return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer);
+}
+
+namespace {
+
+/// Length of wall in space that the views observed free, at any height [m].
+double length_in_free_space(const LocalWalls& walls, const Pose2& T_views_walls,
+                            const std::vector<LocalWalls::View>& views, double margin_m) {
+  constexpr double kAnyHeight = std::numeric_limits<double>::quiet_NaN();
+  std::vector<bool> inside(walls.points.size(), false);
+  for (const LocalWalls::View& view : views) {
+    const Pose2 T_laser_walls =
+        view.free_space.body_in_laser() * view.T_local_body.inverse() * T_views_walls;
+    const Eigen::Matrix2d R = Eigen::Rotation2Dd(T_laser_walls.theta).toRotationMatrix();
+    const Eigen::Vector2d t = T_laser_walls.translation();
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      if (inside[i]) continue;
+      inside[i] = view.free_space.inside(R * walls.points[i].p + t, kAnyHeight, margin_m);
+    }
+  }
+  const auto count = static_cast<double>(std::count(inside.begin(), inside.end(), true));
+  return walls.length_m * count / std::max<std::size_t>(1, inside.size());
+}
+
+}  // namespace
+
+double contradiction_bound(const LocalWalls& newer, const LocalWalls& older,
+                           const Pose2& T_older_newer, const MapMatchingParams& params) {
+  const double margin_m = params.agreement.margin_m;
+  const double length_m =
+      length_in_free_space(newer, T_older_newer, older.views, margin_m) +
+      length_in_free_space(older, T_older_newer.inverse(), newer.views, margin_m);
+  const double per_observation = -2.0 * std::log(params.agreement.contradiction);
+  return per_observation * length_m / params.independent_m;
 }
 
 std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,

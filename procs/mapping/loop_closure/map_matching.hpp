@@ -104,4 +104,9 @@ Eigen::Matrix3d with_added_covariance(const Eigen::Matrix3d& information,
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
                      const Pose2& T_older_newer, const MapMatchingParams& params);
 
+/// An upper bound of `contradiction` with the older map alone, without alignment and much cheaper:
+/// all points in space that the other map observed free, also where a wall is near.
+double contradiction_bound(const LocalWalls& newer, const LocalWalls& older,
+                           const Pose2& T_older_newer, const MapMatchingParams& params);
+
 }  // namespace adit

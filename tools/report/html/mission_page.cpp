@@ -48,6 +48,8 @@ HtmlMetrics map_metrics(const MissionStatistics& statistics) {
                       {"Loop closures accepted", fmt::to_string(statistics.loop_closures.accepted)},
                       {"Decisions revised", fmt::to_string(statistics.loop_closures.revised)},
                       {"Loop closures revoked", fmt::to_string(statistics.revoked)},
+                      {"Stretches on which the map contradicts itself",
+                       fmt::to_string(statistics.contradictory.size())},
                       {"Scans without a path", fmt::to_string(statistics.scans_without_path)},
                       {"Stops by the guard", fmt::format("{}, {}", statistics.stops,
                                                          duration_text(statistics.stopped_s))},

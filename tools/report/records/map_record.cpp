@@ -35,14 +35,16 @@ void append_thinned(const StampedPose& pose, Trajectory& poses) {
 }  // namespace
 
 MapRecord::MapRecord(Bus& bus) {
-  subscription_.subscribe(bus,
-                          {.on_local_map =
-                               [this](LocalMap map) {
-                                 const int id = map.id;
-                                 local_maps_.insert_or_assign(id, std::move(map));
-                               },
-                           .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
-                           .on_association = [this](const Association& a) { on_association(a); }});
+  subscription_.subscribe(
+      bus, {.on_local_map =
+                [this](LocalMap map) {
+                  const int id = map.id;
+                  local_maps_.insert_or_assign(id, std::move(map));
+                },
+            .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
+            .on_association = [this](const Association& a) { on_association(a); },
+            .on_contradictions =
+                [this](MapContradictions found) { contradictions_ = std::move(found.pairs); }});
   subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kQueued),
                     [this](const StampedPose& pose) { append_thinned(pose, odometry_); });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kQueued),

@@ -12,6 +12,7 @@
 #include "common/pose_graph/map_graph.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
+#include "common/types/map_contradictions.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/map/run_record.hpp"
 
@@ -31,6 +32,10 @@ class MapRecord {
   [[nodiscard]] const std::vector<Association>& associations() const { return associations_; }
   /// Last POSE_GRAPH.
   [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
+  /// Local maps that contradict each other at the end.
+  [[nodiscard]] const std::vector<MapContradiction>& contradictions() const {
+    return contradictions_;
+  }
 
   /// T_odom_body, thinned. The odom frame may change after a restart of scan_matching.
   [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
@@ -44,6 +49,7 @@ class MapRecord {
   std::map<int, LocalMap> local_maps_;
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;
+  std::vector<MapContradiction> contradictions_;
   Trajectory odometry_;
   Trajectory truth_;
 };

@@ -66,7 +66,7 @@ Channels selected_channels(bool remap) {
     selected.emplace(channel);
   }
   const auto map = {channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,
-                    channels::kAssociation};
+                    channels::kAssociation, channels::kContradictions};
   const auto input = {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch,
                       channels::kWheelOdometry};
   for (const auto channel : remap ? input : map) selected.emplace(channel);

@@ -12,6 +12,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
@@ -46,6 +47,10 @@ class MappingNodeOnABus : public testing::Test {
                             });
     subscribe<map_correction_t>(*bus_, channels::kMapCorrection, Delivery::latest(),
                                 [this](const MapCorrection& c) { correction_ = c; });
+    subscribe<map_contradictions_t>(*bus_, channels::kContradictions, Delivery::queued(100),
+                                    [this](MapContradictions contradictions) {
+                                      contradictions_.push_back(std::move(contradictions));
+                                    });
     MappingNodeParams params;
     params.journal = (scratch_ / "map.journal").string();
     node_ = std::make_unique<MappingNode>(*bus_, params);
@@ -72,8 +77,17 @@ class MappingNodeOnABus : public testing::Test {
   std::vector<int> received_;
   std::optional<MapGraph> graph_;
   std::optional<MapCorrection> correction_;
+  std::vector<MapContradictions> contradictions_;
   std::int64_t utime_ = 0;
 };
+
+/// Once at the beginning, so that those of an earlier process do not stay.
+TEST_F(MappingNodeOnABus, SaysThatARightMapDoesNotContradictItself) {
+  drive(400);
+  bus_->advance_to(utime_);
+  ASSERT_EQ(contradictions_.size(), 1U);
+  EXPECT_TRUE(contradictions_.front().pairs.empty());
+}
 
 TEST_F(MappingNodeOnABus, ResendsItsMapOnRequestInSmallBatches) {
   drive(400);

@@ -49,6 +49,9 @@ class Shuttle {
     for (int i = 0; i < scans; ++i) step();
   }
 
+  /// Turns odom between two scans, as a wrong match does.
+  void turn_odom(double angle_rad) { T_odom_body_ = T_odom_body_ * Pose2{0.0, 0.0, angle_rad}; }
+
   /// Restarts from the stored map. Odom continues.
   void restart(int maps_per_place_max) {
     MappingParams params;
@@ -205,6 +208,31 @@ TEST(MappingOfRevisitedPlaces, ResumesAfterARestartFromTheLastPose) {
   shuttle.go(1.0);
   EXPECT_LT(shuttle.error_m(), kErrorM);
   EXPECT_EQ(shuttle.maps(), maps + 2);  // the unfinished map, and a short one at the restart
+}
+
+TEST(MappingOfRevisitedPlaces, FindsNoContradictionInARightMap) {
+  Shuttle shuttle(0);
+  shuttle.go(4.0 * kTunnelM);
+  EXPECT_TRUE(shuttle.mapping->contradictions().pairs.empty());
+}
+
+/// The displacement across the wrong match claims to be sure, and no loop closure contradicts it.
+TEST(MappingOfRevisitedPlaces, ReportsAMapThatIsFoldedByAWrongTurn) {
+  Shuttle shuttle(0);
+  shuttle.go(16.0);
+  const int turned = shuttle.mapping->unfinished().id;
+  shuttle.turn_odom(deg_to_rad(90.0));
+  shuttle.go(2.0 * kTunnelM);
+  const MapContradictions found = shuttle.mapping->contradictions();
+  EXPECT_EQ(found.revision, shuttle.mapping->graph().revision);
+  ASSERT_FALSE(found.pairs.empty());
+  for (const MapContradiction& pair : found.pairs) {
+    EXPECT_LE(pair.older_map, turned);
+    EXPECT_GE(pair.newer_map, turned);
+  }
+  const auto pairs = found.pairs;
+  shuttle.restart(0);
+  EXPECT_GE(shuttle.mapping->contradictions().pairs.size(), pairs.size());
 }
 
 }  // namespace

@@ -29,12 +29,13 @@ class DoubtListTest : public testing::Test {
     doubts_.push_back({to_s * kOneSecond, from_s * kOneSecond, reason, {}});
   }
   [[nodiscard]] std::vector<DoubtfulStretch> stretches() const {
-    return doubtful_stretches(doubts_, path_, maps_);
+    return doubtful_stretches(doubts_, contradictions_, path_, maps_);
   }
 
   Trajectory path_;
   std::vector<LocalMap> maps_;
   std::vector<MatchDoubt> doubts_;
+  std::vector<MapContradiction> contradictions_;
 };
 
 TEST_F(DoubtListTest, JoinsMotionsThatAreClose) {
@@ -71,6 +72,33 @@ TEST_F(DoubtListTest, MarksThePosesOfStretches) {
   EXPECT_TRUE(inside[10]);
   EXPECT_TRUE(inside[12]);
   EXPECT_FALSE(inside[13]);
+}
+
+/// An error between maps 6 and 7 and one between maps 12 and 13.
+TEST_F(DoubtListTest, ExplainsAllContradictionsByTheFewestStretches) {
+  add(2, 3, Reason::kLost);
+  contradictions_ = {{4, 8, 30.0}, {2, 7, 40.0}, {6, 9, 30.0}, {10, 13, 50.0}, {12, 15, 25.0}};
+  const auto list = stretches();
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0].local_maps, (std::vector<int>{6, 7}));
+  EXPECT_EQ(list[0].from_utime, 30 * kOneSecond);
+  EXPECT_EQ(list[0].to_utime, 40 * kOneSecond);
+  EXPECT_EQ(list[0].motions, 0U);
+  EXPECT_EQ(list[1].local_maps, (std::vector<int>{12, 13}));
+  EXPECT_EQ(stretches_text(list),
+            "3 doubtful stretches: at 30 to 40 m (contradictory), at 60 to 70 m (contradictory), "
+            "at 2 to 3 m (lost)");
+  EXPECT_TRUE(in_stretches(list, path_)[2]);
+  EXPECT_TRUE(in_stretches(list, path_)[35]);
+}
+
+TEST_F(DoubtListTest, LeavesOutWhatLiesInEarlierRuns) {
+  maps_.erase(maps_.begin(), maps_.begin() + 10);
+  contradictions_ = {{4, 8, 30.0}};
+  EXPECT_TRUE(stretches().empty());
+  contradictions_ = {{4, 12, 30.0}};
+  ASSERT_EQ(stretches().size(), 1U);
+  EXPECT_EQ(stretches().front().local_maps, (std::vector<int>{10, 11, 12}));
 }
 
 }  // namespace

@@ -44,5 +44,15 @@ TEST(MissionStatistics, OutcomeOfAnIncompleteExplorationHasOpenFrontiers) {
             "(2 blocked), 3 open, 1 abandoned without evidence of a blockage.");
 }
 
+TEST(MissionStatistics, OutcomeSaysWhereTheMapContradictsItself) {
+  MissionStatistics statistics = mission_at_home(true, {.found = 2, .closed = 2});
+  statistics.contradictory = {{0, 1, 20.0, 35.0, 0, 0, {"contradictory"}, {4, 5, 6}}};
+  EXPECT_THAT(
+      outcome_text(statistics),
+      testing::AllOf(
+          testing::HasSubstr("2 of 2 frontiers are closed. The map contradicts itself over 15"),
+          testing::EndsWith(": 1 doubtful stretch: at 20 to 35 m (contradictory).")));
+}
+
 }  // namespace
 }  // namespace adit

@@ -117,5 +117,38 @@ TEST(AssociationMessage, IsRejectedWithInvalidNumbers) {
             "likelihood is not finite");
 }
 
+MapContradictions contradictions() { return {kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}}; }
+
+std::string_view rejection_after(const std::function<void(map_contradictions_t&)>& change) {
+  map_contradictions_t message = to_message(contradictions());
+  change(message);
+  return from_message(message).rejection();
+}
+
+TEST(MapContradictionsMessage, SurvivesARoundTrip) {
+  EXPECT_EQ(*round_trip(contradictions()), contradictions());
+}
+
+TEST(MapContradictionsMessage, HoldsThePairsWithTheMostEvidence) {
+  MapContradictions many{kUtime, 12, {}};
+  for (int i = 0; i < 3000; ++i) many.pairs.push_back({i, i + 1, static_cast<double>(i)});
+  const map_contradictions_t message = to_message(many);
+  ASSERT_EQ(message.n_pairs, 1000);
+  EXPECT_EQ(message.older_maps.front(), 2999);
+  EXPECT_TRUE(from_message(message));
+}
+
+TEST(MapContradictionsMessage, IsRejectedWithInvalidNumbers) {
+  using Message = map_contradictions_t;
+  EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_pairs = 1001; }), "implausible number of pairs");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_pairs = -1; }), "implausible number of pairs");
+  EXPECT_EQ(rejection_after([](Message& m) { m.older_maps[1] = 41; }),
+            "pair is not an older and a newer map");
+  EXPECT_EQ(rejection_after([](Message& m) { m.older_maps[1] = -1; }),
+            "pair is not an older and a newer map");
+  EXPECT_EQ(rejection_after([](Message& m) { m.evidence[0] = kNaN; }), "evidence is not finite");
+}
+
 }  // namespace
 }  // namespace adit

@@ -243,6 +243,17 @@ TEST(Golden, Association) {
   expect_golden(message, association);
 }
 
+TEST(Golden, MapContradictions) {
+  map_contradictions_t message;
+  message.utime = kUtime;
+  message.revision = 12;
+  message.n_pairs = 2;
+  message.older_maps = {3, 4};
+  message.newer_maps = {40, 41};
+  message.evidence = {55.5, 31.25};
+  expect_golden(message, MapContradictions{kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}});
+}
+
 TEST(Golden, Cloud) {
   cloud_line_t line;
   line.utime = kUtime - 5;

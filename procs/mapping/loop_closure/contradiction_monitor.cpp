@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/contradiction_monitor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace adit {
+namespace {
+
+// A change of the relative pose that may matter, against the margin of 0.3 m in free space.
+constexpr double kMovedM = 0.1;
+constexpr double kMovedRad = 0.02;
+
+constexpr double kOneHeightM = 0.5;
+
+/// Whether all walls were observed at about one height.
+bool is_level(const LocalWalls& walls) {
+  const auto [lowest, highest] = std::ranges::minmax_element(walls.points, {}, &SurfacePoint::z_m);
+  return lowest == walls.points.end() || highest->z_m - lowest->z_m < kOneHeightM;
+}
+
+bool has_moved(const Pose2& before, const Pose2& now, double share) {
+  const Pose2 by = between(before, now);
+  return by.translation().norm() > share * kMovedM || std::abs(by.theta) > share * kMovedRad;
+}
+
+bool may_overlap(const MapExtent& older, const MapExtent& newer, const Pose2& T_older_newer) {
+  const double apart = (T_older_newer * newer.centre() - older.centre()).norm();
+  return apart < older.radius_m() + newer.radius_m();
+}
+
+}  // namespace
+
+void ContradictionMonitor::update(std::span<const LocalWalls> walls,
+                                  std::span<const MapExtent> extents,
+                                  std::span<const Pose2> T_map_local,
+                                  const WallsAround& walls_around, const SameLevel& same_level) {
+  std::vector<bool> moved(T_map_local.size(), true);
+  for (std::size_t i = 0; i < compared_at_.size(); ++i) {
+    moved[i] = has_moved(compared_at_[i], T_map_local[i], 0.5);
+  }
+  compared_at_.resize(T_map_local.size());
+  for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
+    is_level_.push_back(is_level(walls[i]));
+  }
+  for (std::size_t newer = 0; newer < T_map_local.size(); ++newer) {
+    for (std::size_t older = 0; older < newer; ++older) {
+      if (!is_level_[newer] || !is_level_[older] || (!moved[newer] && !moved[older])) continue;
+      const Pose2 T_older_newer = between(T_map_local[older], T_map_local[newer]);
+      const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
+      if (!may_overlap(extents[older], extents[newer], T_older_newer)) {
+        pairs_.erase(key);
+        continue;
+      }
+      const auto [pair, is_new] = pairs_.try_emplace(key);
+      if (!is_new && !has_moved(pair->second.T_older_newer, T_older_newer, 1.0)) continue;
+      pair->second = {T_older_newer, 0.0};
+      if (contradiction_bound(walls[newer], walls[older], T_older_newer, params_) < evidence_min_)
+        continue;
+      pair->second.evidence =
+          evidence(walls_around(static_cast<int>(older)), walls[newer], T_older_newer);
+    }
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (moved[i]) compared_at_[i] = T_map_local[i];
+  }
+  contradictions_.clear();
+  for (const auto& [key, pair] : pairs_) {
+    const auto [newer, older] = key;
+    if (pair.evidence < evidence_min_ || !same_level(older, newer, pair.T_older_newer)) continue;
+    contradictions_.push_back({older, newer, pair.evidence});
+  }
+}
+
+/// Of both the older map alone and with its neighbours, in whose walls and free space it continues.
+double ContradictionMonitor::evidence(std::vector<PlacedWalls> older, const LocalWalls& newer,
+                                      const Pose2& T_older_newer) const {
+  const double alone = contradiction(newer, {older.front()}, T_older_newer, params_);
+  if (alone < evidence_min_) return alone;
+  std::erase_if(older, [&](const PlacedWalls& placed) { return placed.walls == &newer; });
+  return std::min(alone, contradiction(newer, older, T_older_newer, params_));
+}
+
+}  // namespace adit

@@ -45,22 +45,18 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
   for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
     is_level_.push_back(is_level(walls[i]));
   }
-  for (std::size_t newer = 0; newer < T_map_local.size(); ++newer) {
-    for (std::size_t older = 0; older < newer; ++older) {
-      if (!is_level_[newer] || !is_level_[older] || (!moved[newer] && !moved[older])) continue;
-      const Pose2 T_older_newer = between(T_map_local[older], T_map_local[newer]);
-      const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
-      if (!may_overlap(extents[older], extents[newer], T_older_newer)) {
-        pairs_.erase(key);
-        continue;
-      }
-      const auto [pair, is_new] = pairs_.try_emplace(key);
-      if (!is_new && !has_moved(pair->second.T_older_newer, T_older_newer, 1.0)) continue;
-      pair->second = {T_older_newer, 0.0};
-      if (contradiction_bound(walls[newer], walls[older], T_older_newer, params_) < evidence_min_)
-        continue;
-      pair->second.evidence =
-          evidence(walls_around(static_cast<int>(older)), walls[newer], T_older_newer);
+  std::vector<std::size_t> all_ids;
+  std::vector<std::size_t> moved_ids;
+  for (std::size_t i = 0; i < T_map_local.size(); ++i) {
+    if (!is_level_[i]) continue;
+    all_ids.push_back(i);
+    if (moved[i]) moved_ids.push_back(i);
+  }
+  for (const std::size_t newer : all_ids) {
+    for (const std::size_t older : moved[newer] ? all_ids : moved_ids) {
+      if (older >= newer) break;
+      compare(older, newer, walls, extents, between(T_map_local[older], T_map_local[newer]),
+              walls_around);
     }
   }
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -72,6 +68,24 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
     if (pair.evidence < evidence_min_ || !same_level(older, newer, pair.T_older_newer)) continue;
     contradictions_.push_back({older, newer, pair.evidence});
   }
+}
+
+void ContradictionMonitor::compare(std::size_t older, std::size_t newer,
+                                   std::span<const LocalWalls> walls,
+                                   std::span<const MapExtent> extents, const Pose2& T_older_newer,
+                                   const WallsAround& walls_around) {
+  const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
+  if (!may_overlap(extents[older], extents[newer], T_older_newer)) {
+    pairs_.erase(key);
+    return;
+  }
+  const auto [pair, is_new] = pairs_.try_emplace(key);
+  if (!is_new && !has_moved(pair->second.T_older_newer, T_older_newer, 1.0)) return;
+  pair->second = {T_older_newer, 0.0};
+  const double bound = contradiction_bound(walls[newer], walls[older], T_older_newer, params_);
+  if (bound < evidence_min_) return;
+  pair->second.evidence =
+      evidence(walls_around(static_cast<int>(older)), walls[newer], T_older_newer);
 }
 
 /// Of both the older map alone and with its neighbours, in whose walls and free space it continues.

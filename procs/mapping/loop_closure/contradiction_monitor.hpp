@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <span>
@@ -50,6 +51,9 @@ class ContradictionMonitor {
     double evidence = 0.0;
   };
 
+  void compare(std::size_t older, std::size_t newer, std::span<const LocalWalls> walls,
+               std::span<const MapExtent> extents, const Pose2& T_older_newer,
+               const WallsAround& walls_around);
   [[nodiscard]] double evidence(std::vector<PlacedWalls> older, const LocalWalls& newer,
                                 const Pose2& T_older_newer) const;
 

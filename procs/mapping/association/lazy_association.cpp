@@ -152,7 +152,7 @@ LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& ch
   const double explained = gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
   const bool is_explained = together.objective() - before <= explained;
   if (misfits.empty() && !is_explained) return choices;
-  if (misfits.empty()) trial_.emplace(problem_, together.hypothesis());
+  if (misfits.empty()) trial_.emplace(std::move(together));
   return misfits;
 }
 

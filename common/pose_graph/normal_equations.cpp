@@ -73,19 +73,25 @@ NormalEquations::NormalEquations(const GraphStructure& structure)
 
 double NormalEquations::linearise(const PoseGraph& graph) {
   H_.set_zero();
-  return accumulate<true, false>(graph);
+  return accumulate<Matrix::kFirstOrder>(graph);
+}
+
+double NormalEquations::linearise_with_curvature(const PoseGraph& graph, double share) {
+  curvature_share_ = share;
+  H_.set_zero();
+  return accumulate<Matrix::kSecondOrder>(graph);
 }
 
 double NormalEquations::linearise_at_measurements(const PoseGraph& graph) {
   H_.set_zero();
-  return accumulate<true, true>(graph);
+  return accumulate<Matrix::kAtMeasurements>(graph);
 }
 
 double NormalEquations::linearise_gradient(const PoseGraph& graph) {
-  return accumulate<false, false>(graph);
+  return accumulate<Matrix::kNone>(graph);
 }
 
-template <bool kMatrix, bool kAtMeasurements>
+template <NormalEquations::Matrix kMatrix>
 double NormalEquations::accumulate(const PoseGraph& graph) {
   b_.setZero();
   double sum = 0.0;
@@ -94,11 +100,16 @@ double NormalEquations::accumulate(const PoseGraph& graph) {
     const Pose2& T_map_from = graph.poses[static_cast<std::size_t>(c.from)];
     LinearPotential potential =
         adit::linearise(c, T_map_from, graph.poses[static_cast<std::size_t>(c.to)]);
-    if constexpr (kAtMeasurements) potential.lever = measured_lever(c, T_map_from);
+    if constexpr (kMatrix == Matrix::kAtMeasurements) {
+      potential.lever = measured_lever(c, T_map_from);
+    }
     const Eigen::Vector3d weighted = c.information * potential.e;
     sum += potential.e.dot(weighted);
     add_to_b(c, potential, weighted);
-    if constexpr (kMatrix) add_to_matrix(c, pair_of_constraint_[i], potential);
+    if constexpr (kMatrix != Matrix::kNone) add_to_matrix(c, pair_of_constraint_[i], potential);
+    if constexpr (kMatrix == Matrix::kSecondOrder) {
+      add_curvature(c, pair_of_constraint_[i], potential, weighted);
+    }
   }
   return sum;
 }
@@ -123,6 +134,27 @@ void NormalEquations::add_to_matrix(const PoseConstraint& c, int pair,
   if (pair >= 0) H_.add_to_pair<3>(pair, -MtK);
   MtK.col(2) += MtK.leftCols<2>() * potential.lever;
   H_.add_to_diagonal<3>(c.from - 1, MtK);
+}
+
+/// The second derivatives of the residual, weighted. With g = J_toᵀ R e, the force on the position
+/// of `to`, and d = t_to − t_from, they are −gᵀ d for the rotation of `from`, and S g for this
+/// rotation and the position of `to`, its negative for that of `from`.
+void NormalEquations::add_curvature(const PoseConstraint& c, int pair,
+                                    const LinearPotential& potential,
+                                    const Eigen::Vector3d& weighted) {
+  if (c.from == 0) return;  // its rotation is fixed
+  const Eigen::Vector2d g = curvature_share_ * (potential.J_to.transpose() * weighted).head<2>();
+  const Eigen::Vector2d Sg(-g.y(), g.x());
+  const Eigen::Vector2d d(potential.lever.y(), -potential.lever.x());  // −S (S d)
+  Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
+  own(2, 2) = -g.dot(d);
+  own.topRightCorner<2, 1>() = -Sg;
+  own.bottomLeftCorner<1, 2>() = -Sg.transpose();
+  H_.add_to_diagonal<3>(c.from - 1, own);
+  if (pair < 0) return;
+  Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();
+  mixed.bottomLeftCorner<1, 2>() = Sg.transpose();
+  H_.add_to_pair<3>(pair, mixed);
 }
 
 void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses) {

@@ -40,6 +40,10 @@ class NormalEquations {
   /// The same with the measured lever arm of each constraint instead of that of the poses: correct
   /// to first order if only the orientations of the poses are known.
   double linearise_at_measurements(const PoseGraph& graph);
+  /// The same with a share, 0 to 1, of the curvature of the residuals: H = Σ (Jᵀ R J + share · Σ_k
+  /// (R e)_k ∂²e_k), half the second derivative of the objective for share 1, as Newton's method
+  /// requires. H may be indefinite away from a minimum.
+  double linearise_with_curvature(const PoseGraph& graph, double share);
   /// Computes b only; returns the objective.
   double linearise_gradient(const PoseGraph& graph);
 
@@ -48,13 +52,17 @@ class NormalEquations {
   [[nodiscard]] const Eigen::VectorXd& b() const { return b_; }
 
  private:
-  template <bool kMatrix, bool kAtMeasurements>
+  enum class Matrix { kNone, kFirstOrder, kAtMeasurements, kSecondOrder };
+  template <Matrix kMatrix>
   double accumulate(const PoseGraph& graph);
   void add_to_matrix(const PoseConstraint& constraint, int pair, const LinearPotential& potential);
+  void add_curvature(const PoseConstraint& constraint, int pair, const LinearPotential& potential,
+                     const Eigen::Vector3d& weighted);
   void add_to_b(const PoseConstraint& constraint, const LinearPotential& potential,
                 const Eigen::Vector3d& weighted);
 
   std::vector<int> pair_of_constraint_;
+  double curvature_share_ = 0.0;
   SparseCholesky H_;
   Eigen::VectorXd b_;
 };

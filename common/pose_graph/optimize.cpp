@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,11 +16,11 @@ namespace adit {
 namespace {
 
 constexpr double kNegligible = 1e-9;  // negligible decrease of a chi-square
-// Ratio of successive predicted decreases below which a factor is reused.
+// Ratio of successive predicted decreases below which a factor is reused, and iterated
+// linearisation converges well.
 constexpr double kContraction = 0.2;
-constexpr double kSlowContraction = 0.98;  // the same where a fresh factor is no better
-constexpr double kAsGood = 1.1;        // ratio of predictions within which two factors are equal
-constexpr double kLambdaFirst = 1e-4;  // initial damping, if needed
+constexpr double kCurvatureShareMin = 0.1;  // less is not tried
+constexpr double kLambdaFirst = 1e-4;       // initial damping, if needed
 constexpr double kLambdaMax = 1e8;
 constexpr double kLambdaMin = 1e-7;  // less is set to zero
 
@@ -46,9 +47,13 @@ class Optimizer {
     begin_phase(OptimizePhase::kOther);
     result_.objective = equations.linearise(graph_);
     while (result_.iterations < params_.iterations_max) {
-      if (!factorise(equations)) return undetermined(equations);
+      while (!factorise(equations)) {
+        if (curvature_share_ == 0.0) return undetermined(equations);
+        reduce_curvature();
+        linearise(equations);
+      }
       if (!descend(equations)) break;
-      equations.linearise(graph_);
+      linearise(equations);
     }
     return result_;
   }
@@ -56,6 +61,20 @@ class Optimizer {
  private:
   void begin_phase(OptimizePhase phase) const {
     if (observer_) observer_(phase);
+  }
+
+  void linearise(NormalEquations& equations) const {
+    if (curvature_share_ > 0.0) {
+      equations.linearise_with_curvature(graph_, curvature_share_);
+    } else {
+      equations.linearise(graph_);
+    }
+  }
+
+  /// With all of its curvature the matrix is not positive definite here.
+  void reduce_curvature() {
+    curvature_share_ *= 0.5;
+    if (curvature_share_ < kCurvatureShareMin) curvature_share_ = 0.0;
   }
 
   bool factorise(NormalEquations& equations) {
@@ -74,10 +93,10 @@ class Optimizer {
       const Step step = solve(equations);
       const bool done =
           step.predicted_decrease <= params_.tolerance * result_.objective + kNegligible;
-      if (first) update_contraction(step.predicted_decrease);
-      const bool degraded = !first && step.predicted_decrease > contraction_ * predicted_decrease_;
+      const bool slow = step.predicted_decrease > kContraction * predicted_decrease_;
       predicted_decrease_ = step.predicted_decrease;
-      if (degraded && !done) return true;
+      if (slow && !first && !done) return true;
+      if (first) update_curvature(slow);
       const bool damped = lambda_ > 0.0;
       if (!try_step(step, equations)) {
         if (done) return finish();  // the remainder is rounding
@@ -91,12 +110,14 @@ class Optimizer {
     return false;
   }
 
-  /// With large residuals, iterated linearisation itself converges slowly, and a fresh factor
-  /// predicts the same decrease as the old one: then factors are reused for longer.
-  void update_contraction(double predicted_with_fresh_factor) {
-    const bool as_good = predicted_decrease_ < kAsGood * predicted_with_fresh_factor &&
-                         predicted_with_fresh_factor < kAsGood * predicted_decrease_;
-    contraction_ = as_good && lambda_ == 0.0 ? kSlowContraction : kContraction;
+  /// Includes the curvature after a step by a fresh factor that hardly contracted, as much of it as
+  /// may be positive definite.
+  void update_curvature(bool slow) {
+    if (!includes_curvature_ && !slow) return;
+    curvature_share_ = includes_curvature_
+                           ? std::clamp(2.0 * curvature_share_, 2.0 * kCurvatureShareMin, 1.0)
+                           : 1.0;
+    includes_curvature_ = true;
   }
 
   static Step solve(const NormalEquations& equations) {
@@ -136,8 +157,11 @@ class Optimizer {
   const OptimizeObserver& observer_;
   OptimizeResult result_;
   double lambda_ = 0.0;
-  double predicted_decrease_ = 0.0;  // of the last step
-  double contraction_ = kContraction;
+  double predicted_decrease_ = std::numeric_limits<double>::infinity();  // of the last step
+  /// Of the curvature of the residuals in the matrix: none (Gauss-Newton) until steps no longer
+  /// contract, as with large residuals; all of it (Newton) where that is positive definite.
+  double curvature_share_ = 0.0;
+  bool includes_curvature_ = false;
 };
 
 }  // namespace

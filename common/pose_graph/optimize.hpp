@@ -51,10 +51,10 @@ enum class OptimizePhase { kAnalysis, kStart, kFactorisation, kOther, kEnd };
 using OptimizeObserver = std::function<void(OptimizePhase begins)>;
 
 /// Moves the poses to the mode of the Gaussian Markov random field, the minimum of Σ eᵀ R e, by
-/// iterated linearisation (paper, section 2.3; Lu and Milios 1997): Gauss-Newton, damped as by
-/// Levenberg and Marquardt where the objective would rise. Pose 0 is fixed. One symbolic analysis;
-/// a factor is reused for several steps while it converges. The poses change only if the reason is
-/// kConverged or kNotConverged.
+/// iterated linearisation (paper, section 2.3; Lu and Milios 1997): Gauss-Newton, or Newton where
+/// that contracts slowly, damped as by Levenberg and Marquardt where the objective would rise. Pose
+/// 0 is fixed. One symbolic analysis; a factor is reused for several steps while it converges. The
+/// poses change only if the reason is kConverged or kNotConverged.
 OptimizeResult optimize(PoseGraph& graph, const OptimizeParams& params,
                         const OptimizeObserver& observer = {});
 

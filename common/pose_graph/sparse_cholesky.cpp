@@ -141,7 +141,8 @@ struct FactorView {
 
 /// Solves L x = b in place for the columns of `path`, which ascends, is closed under parent and
 /// contains all non-zeros of b.
-void solve_forward(const FactorView& L, const std::vector<int>& path, RowMajor& x) {
+template <class Rows>
+void solve_forward(const FactorView& L, const std::vector<int>& path, Rows& x) {
   for (const int j : path) {
     for (int k = L.start[j] + 1; k < L.start[j] + L.count[j]; ++k) {
       x.row(L.rows[k]) -= L.values[k] * x.row(j);
@@ -215,6 +216,24 @@ std::vector<int> path_to_root(const FactorView& L, const std::vector<int>& from)
   }
   std::sort(path.begin(), path.end());
   return path;
+}
+
+/// Eᵀ A⁻¹ E = (L⁻¹ E)ᵀ D⁻¹ (L⁻¹ E) for the unit vectors E of these columns, as many as N if that is
+/// fixed. `zeros` holds zeros before and after, so that the cost is that of the path.
+template <int N>
+Eigen::MatrixXd inverse_along(const FactorView& L, const std::vector<int>& path,
+                              const std::vector<int>& columns, std::vector<double>& zeros) {
+  const auto size = static_cast<Eigen::Index>(columns.size());
+  zeros.resize(std::max(zeros.size(), at(L.n) * columns.size()), 0.0);
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, N, Eigen::RowMajor>> x(zeros.data(), L.n, size);
+  for (Eigen::Index k = 0; k < size; ++k) x(columns[static_cast<std::size_t>(k)], k) = 1.0;
+  solve_forward(L, path, x);
+  Eigen::Matrix<double, N, N> inverse = Eigen::Matrix<double, N, N>::Zero(size, size);
+  for (const int j : path) {
+    inverse += x.row(j).transpose() * (x.row(j) / L.pivot(j));
+    x.row(j).setZero();
+  }
+  return inverse;
 }
 
 /// The factor in blocks of three columns: A = U D Uᵀ with U unit lower triangular by blocks.
@@ -339,6 +358,7 @@ struct SparseCholesky::Cholmod {
   Common common;
   Columns columns;
   std::vector<double> values;
+  std::vector<double> zeros;  // of inverse_along
   cholmod_factor* L = nullptr;
   bool has_factor = false;
 };
@@ -517,14 +537,11 @@ Eigen::MatrixXd SparseCholesky::inverse_among(const std::vector<int>& blocks) co
   for (const int block : blocks) {
     for (int r = 0; r < block_size_; ++r) columns.push_back(block_size_ * position_[at(block)] + r);
   }
-  RowMajor x = RowMajor::Zero(L.n, size);
-  for (int k = 0; k < size; ++k) x(columns[at(k)], k) = 1.0;
   const std::vector<int> path = path_to_root(L, columns);
-  solve_forward(L, path, x);
-  solve_backward(L, path, x);
-  Eigen::MatrixXd result(size, size);
-  for (int k = 0; k < size; ++k) result.row(k) = x.row(columns[at(k)]);
-  return result;
+  std::vector<double>& zeros = cholmod_->zeros;
+  if (size == 3) return inverse_along<3>(L, path, columns, zeros);
+  if (size == 6) return inverse_along<6>(L, path, columns, zeros);
+  return inverse_along<Eigen::Dynamic>(L, path, columns, zeros);
 }
 
 std::vector<Eigen::Matrix3d> SparseCholesky::inverse_diagonal() const {

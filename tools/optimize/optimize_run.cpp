@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/pose_graph/normal_equations.hpp"
 #include "procs/mapping/association/lazy_loop_closures.hpp"
 
 namespace adit {
@@ -38,21 +38,22 @@ void require_poses(const G2oGraph& file, const OptimizeResult& result) {
   throw std::runtime_error(text(result.reason, id));
 }
 
-void require_odometry(const G2oGraph& file) {
-  const auto gap = odometry_gap(file.graph);
-  if (!gap) return;
-  throw std::runtime_error(
-      fmt::format("no constraint between pose {} and the next pose {}: loop closures cannot be "
-                  "verified without odometry",
-                  id_of(file, *gap), id_of(file, *gap + 1)));
+void require_connection(const G2oGraph& file) {
+  if (const auto node = first_unconnected_node(file.graph)) {
+    throw std::runtime_error(text(OptimizeReason::kUnconnected, id_of(file, *node)));
+  }
 }
 
 LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult& lazy) {
   LoopDecisions loops;
-  for (const int k : lazy.constraint_of_loop_closure) {
+  const auto ids_of = [&](int k) -> LoopDecisions::Ids {
     const PoseConstraint& c = file.graph.constraints[static_cast<std::size_t>(k)];
+    return {id_of(file, c.from), id_of(file, c.to)};
+  };
+  for (const int k : lazy.bridges) loops.bridges.push_back(ids_of(k));
+  for (const int k : lazy.constraint_of_loop_closure) {
     auto& list = lazy.accepted[static_cast<std::size_t>(k)] ? loops.accepted : loops.rejected;
-    list.emplace_back(id_of(file, c.from), id_of(file, c.to));
+    list.push_back(ids_of(k));
   }
   loops.trials = lazy.trials;
   loops.revisions = static_cast<int>(std::count_if(
@@ -85,7 +86,7 @@ OptimizeRun optimize_all(G2oGraph& file, bool certify) {
 
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress) {
-  require_odometry(file);
+  require_connection(file);
   const Clock::time_point begin = Clock::now();
   const LazyLoopClosuresResult lazy = associate_loops_lazily(file.graph, params, progress);
   const std::chrono::duration<double, std::milli> association = Clock::now() - begin;
@@ -105,6 +106,10 @@ using Json = nlohmann::ordered_json;
 
 void add_loops(Json& json, const LoopDecisions& loops) {
   json["loops"] = loops.accepted.size() + loops.rejected.size();
+  if (!loops.bridges.empty()) {
+    json["odometry_gaps"] = loops.bridges.size();
+    json["bridges_trusted"] = loops.bridges;
+  }
   json["loops_accepted"] = loops.accepted;
   json["loops_rejected"] = loops.rejected;
   json["trials"] = loops.trials;

@@ -45,6 +45,8 @@ struct LoopDecisions {
 
   std::vector<Ids> accepted;
   std::vector<Ids> rejected;
+  /// Constraints that bridge the gaps of the odometry, one for each, and were not doubted.
+  std::vector<Ids> bridges;
   int trials = 0;     ///< evaluated hypotheses
   int revisions = 0;  ///< decisions that were revised later
   double association_ms = 0.0;
@@ -65,8 +67,8 @@ struct OptimizeRun {
 OptimizeRun optimize_all(G2oGraph& file, bool certify = false);
 
 /// Removes the loop closures that lazy data association rejects (associate_loops_lazily), then
-/// optimises the rest. Also throws if there is a gap in the odometry, the constraints between
-/// consecutive poses. `progress` gets the finished share of the association.
+/// optimises the rest. Gaps in the odometry, the constraints between consecutive poses, are bridged
+/// by other constraints (GraphOdometry). `progress` gets the finished share of the association.
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress = {});
 

@@ -31,6 +31,8 @@ AssociationProblem::Checkpoint AssociationProblem::checkpoint() const {
 std::vector<LoopClosure> AssociationProblem::roll_back(const Checkpoint& checkpoint) {
   chain.resize(static_cast<std::size_t>(std::max(0, checkpoint.maps - 1)));
   odometry.truncate(checkpoint.maps);
+  std::erase_if(gaps, [&](int step) { return step + 1 >= checkpoint.maps; });
+  std::erase_if(bridges, [&](const PoseConstraint& c) { return c.to >= checkpoint.maps; });
   const auto first = loop_closures.begin() + static_cast<std::ptrdiff_t>(checkpoint.loop_closures);
   std::vector<LoopClosure> removed(std::make_move_iterator(first),
                                    std::make_move_iterator(loop_closures.end()));
@@ -87,8 +89,13 @@ PoseGraph graph_of(const AssociationProblem& problem, const Hypothesis& hypothes
   const auto add = [&](const PoseConstraint& c) {
     if (c.to >= first) graph.constraints.push_back(in_graph_from(c, hypothesis, first));
   };
-  const auto step = problem.chain.begin() + std::max(0, first - 1);
-  std::for_each(step, problem.chain.end(), add);
+  auto gap = std::ranges::lower_bound(problem.gaps, first - 1);
+  for (auto step = as_index(std::max(0, first - 1)); step < problem.chain.size(); ++step) {
+    const bool is_gap = gap != problem.gaps.end() && as_index(*gap) == step;
+    if (is_gap) ++gap;
+    if (!is_gap) add(problem.chain[step]);
+  }
+  for (const PoseConstraint& c : problem.bridges) add(c);
   for (const PoseConstraint& c : constraints_in_force(problem, hypothesis)) add(c);
   return graph;
 }

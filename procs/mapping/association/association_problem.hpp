@@ -18,10 +18,14 @@ inline std::size_t as_index(int id) { return static_cast<std::size_t>(id); }
 constexpr double kChanceMax = 0.05;
 
 /// The input of data association: the chain of local maps, which is certain, and the loop closures,
-/// which are to be decided.
+/// which are to be decided. Where the chain has gaps, constraints between other maps bridge them.
 struct AssociationProblem {
-  std::vector<PoseConstraint> chain;       ///< chain[k] links map k with map k + 1
-  OdometryChain odometry;                  ///< the same displacements, composed
+  std::vector<PoseConstraint> chain;  ///< chain[k] links map k with map k + 1
+  /// Steps of the chain that nothing measured, ascending: composed along the bridges, for tests of
+  /// cycles and for the order of decisions, but not part of the graph.
+  std::vector<int> gaps;
+  std::vector<PoseConstraint> bridges;     ///< certain, like the chain, which they link over gaps
+  OdometryChain odometry;                  ///< the displacements of the chain, composed
   std::vector<LoopClosure> loop_closures;  ///< in order of their newer map
   /// Group of each loop closure. Loop closures of a group are adjacent at both ends, and so are
   /// likely to be correct or wrong together.

@@ -57,6 +57,16 @@ void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix
   hypothesis_.T_map_local.push_back(hypothesis_.T_map_local.back() * T_previous_local);
 }
 
+void LazyAssociation::add_map_after_gap(const UncertainPose& T_previous_local) {
+  add_map(T_previous_local.T_from_to, T_previous_local.covariance.inverse());
+  problem_.gaps.push_back(problem_.odometry.maps() - 2);
+}
+
+void LazyAssociation::add_bridge(const PoseConstraint& bridge) {
+  trial_.reset();
+  problem_.bridges.push_back(bridge);
+}
+
 std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_closures,
                                                  std::int64_t utime) {
   const std::vector<int> groups(loop_closures.size(), kGroupByOdometry);
@@ -142,7 +152,7 @@ LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& ch
   const double explained = gate() * (1.0 + kExplainedShare * static_cast<double>(choices.size()));
   const bool is_explained = together.objective() - before <= explained;
   if (misfits.empty() && !is_explained) return choices;
-  if (misfits.empty()) trial_.emplace(problem_, together.hypothesis());
+  if (misfits.empty()) trial_.emplace(std::move(together));
   return misfits;
 }
 

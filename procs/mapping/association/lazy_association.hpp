@@ -71,6 +71,13 @@ class LazyAssociation {
   /// first call, both are ignored.
   void add_map(const Pose2& T_previous_local, const Eigen::Matrix3d& information);
 
+  /// Adds the next local map where no constraint links it with the previous one: its displacement
+  /// is composed along constraints that bridge the gap, to be added by `add_bridge`.
+  void add_map_after_gap(const UncertainPose& T_previous_local);
+  /// Adds a constraint, to the later of two maps, that is certain and links the parts of a chain
+  /// with gaps.
+  void add_bridge(const PoseConstraint& bridge);
+
   /// Decides loop closures, usually those of the newest map, and revises earlier decisions if
   /// necessary. Returns the decisions in order; `utime` is that of the newest measurement. Eight or
   /// more that are likely are accepted by one optimisation; where they do not agree with each

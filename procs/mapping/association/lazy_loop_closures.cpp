@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include <Eigen/LU>
-#include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
+#include "procs/mapping/association/graph_odometry.hpp"
 #include "procs/mapping/association/loop_queue.hpp"
 
 namespace adit {
@@ -25,51 +24,22 @@ constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estima
 constexpr int kReweightings = 30;
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
-/// The constraints of the odometry chain and those of loops.
-struct ConstraintSplit {
-  std::vector<int> chain;  // constraint from each node to the next, or −1
-  std::vector<int> loops;  // in the order of their later node
-};
-
-ConstraintSplit split(const PoseGraph& graph) {
-  ConstraintSplit parts;
-  parts.chain.assign(graph.poses.empty() ? 0 : graph.poses.size() - 1, -1);
-  for (int k = 0; k < static_cast<int>(graph.constraints.size()); ++k) {
-    const PoseConstraint& c = graph.constraints[as_index(k)];
-    const bool step = std::abs(c.to - c.from) == 1;
-    int* slot = step ? &parts.chain[as_index(std::min(c.from, c.to))] : nullptr;
-    if (step && *slot < 0) {
-      *slot = k;
-    } else {
-      parts.loops.push_back(k);
-    }
-  }
-  std::stable_sort(parts.loops.begin(), parts.loops.end(), [&](int a, int b) {
-    const auto later = [&](int k) {
-      return std::max(graph.constraints[as_index(k)].from, graph.constraints[as_index(k)].to);
-    };
-    return later(a) < later(b);
-  });
-  return parts;
-}
-
-/// The same measurement as a constraint from the earlier to the later node.
-PoseConstraint forward(const PoseConstraint& c) {
-  if (c.from < c.to) return c;
-  const Eigen::Matrix3d Ad = adjoint(c.T_from_to.inverse());
-  return {c.to, c.from, c.T_from_to.inverse(), Ad.transpose() * c.information * Ad};
-}
-
-/// The nodes that loops touch, with the odometry between them composed to single steps.
+/// The nodes that loops, bridges and gaps touch, with the odometry between them composed to single
+/// steps.
 class CondensedChain {
  public:
-  CondensedChain(const PoseGraph& graph, const ConstraintSplit& parts)
+  CondensedChain(const PoseGraph& graph, const GraphOdometry& odometry)
       : node_(graph.poses.size(), -1) {
     std::vector<bool> selected(graph.poses.size(), false);
     if (!selected.empty()) selected.front() = true;
-    for (const int k : parts.loops) {
-      selected[as_index(graph.constraints[as_index(k)].from)] = true;
-      selected[as_index(graph.constraints[as_index(k)].to)] = true;
+    for (const auto* constraints : {&odometry.loops, &odometry.bridges}) {
+      for (const int k : *constraints) {
+        selected[as_index(graph.constraints[as_index(k)].from)] = true;
+        selected[as_index(graph.constraints[as_index(k)].to)] = true;
+      }
+    }
+    for (std::size_t i = 0; i < odometry.chain.size(); ++i) {
+      if (odometry.chain[i] < 0) selected[i] = selected[i + 1] = true;
     }
     int next = 0;
     for (std::size_t i = 0; i < selected.size(); ++i) {
@@ -88,18 +58,25 @@ class CondensedChain {
     return loop_closure;
   }
 
-  void add_odometry(const PoseGraph& graph, const ConstraintSplit& parts,
+  void add_odometry(const PoseGraph& graph, const GraphOdometry& odometry,
                     LazyAssociation& association) const {
     UncertainPose T_last_here;
     for (std::size_t i = 0; i < node_.size(); ++i) {
-      if (i > 0) {
-        const PoseConstraint& step = graph.constraints[as_index(parts.chain[i - 1])];
-        T_last_here = T_last_here * measured_by(forward(step));
-      }
+      const bool after_gap = i > 0 && odometry.chain[i - 1] < 0;
+      if (i > 0) T_last_here = T_last_here * odometry.steps[i - 1];
       if (node_[i] < 0) continue;
       const Eigen::Matrix3d& covariance = T_last_here.covariance;
-      association.add_map(T_last_here.T_from_to, i > 0 ? covariance.inverse() : covariance);
+      if (after_gap) {
+        association.add_map_after_gap(T_last_here);
+      } else {
+        association.add_map(T_last_here.T_from_to, i > 0 ? covariance.inverse() : covariance);
+      }
       T_last_here = {};
+    }
+    for (const int k : odometry.bridges) {
+      const PoseConstraint c = forward(graph.constraints[as_index(k)]);
+      association.add_bridge(
+          {node(c.from), node(c.to), c.T_from_to, measured_by(c).covariance.inverse()});
     }
   }
 
@@ -111,7 +88,9 @@ class CondensedChain {
 struct AcceptedConstraints {
   AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
     std::vector<bool> loop(graph.constraints.size(), false);
-    for (const int k : split(graph).loops) loop[as_index(k)] = true;
+    for (const int k : GraphOdometry(graph, LazyAssociationParams{}.gate).loops) {
+      loop[as_index(k)] = true;
+    }
     for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
       if (!accepted[k]) continue;
       constraints.push_back(graph.constraints[k]);
@@ -152,11 +131,11 @@ void add(OptimizeResult& all, const OptimizeResult& step) {
 class FileAssociation {
  public:
   FileAssociation(const PoseGraph& graph, const LazyAssociationParams& params)
-      : params_(params), parts_(split(graph)), association_(params) {
-    const CondensedChain chain(graph, parts_);
-    chain.add_odometry(graph, parts_, association_);
+      : params_(params), odometry_(graph, params.gate), association_(params) {
+    const CondensedChain chain(graph, odometry_);
+    chain.add_odometry(graph, odometry_, association_);
     std::vector<LoopClosure> loop_closures;
-    for (const int k : parts_.loops) loop_closures.push_back(chain.loop_closure(graph, k));
+    for (const int k : odometry_.loops) loop_closures.push_back(chain.loop_closure(graph, k));
     queue_.emplace(std::move(loop_closures), association_, params);
     result_.accepted.assign(graph.constraints.size(), true);
   }
@@ -180,7 +159,7 @@ class FileAssociation {
 
  private:
   [[nodiscard]] double share_done() const {
-    return static_cast<double>(order_.size()) / static_cast<double>(parts_.loops.size() + 1);
+    return static_cast<double>(order_.size()) / static_cast<double>(odometry_.loops.size() + 1);
   }
 
   void record(const std::vector<int>& loops, const std::vector<Association>& decided) {
@@ -207,19 +186,20 @@ class FileAssociation {
     if (params_.best_first) association_.estimate_noise();
     record({}, association_.reconsider(0));
     for (std::size_t i = 0; i < order_.size(); ++i) {
-      const int constraint = parts_.loops[as_index(order_[i])];
+      const int constraint = odometry_.loops[as_index(order_[i])];
       result_.constraint_of_loop_closure.push_back(constraint);
       result_.accepted[as_index(constraint)] =
           association_.hypothesis().chosen[i] != Association::kNone;
     }
+    result_.bridges = odometry_.bridges;
     result_.trials = association_.trials();
   }
 
   LazyAssociationParams params_;
-  ConstraintSplit parts_;
+  GraphOdometry odometry_;
   LazyAssociation association_;
   std::optional<LoopQueue> queue_;
-  std::vector<int> order_;              // in which the loops of `parts_` were decided
+  std::vector<int> order_;              // in which the loops of `odometry_` were decided
   std::size_t noise_of_ = kBatchFirst;  // accepted loops at the last estimate of their noise
   LazyLoopClosuresResult result_;
 };
@@ -229,20 +209,7 @@ class FileAssociation {
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress) {
-  if (const auto gap = odometry_gap(graph)) {
-    throw std::invalid_argument(
-        fmt::format("no constraint leads from pose {} to the next: loops cannot be tested without "
-                    "complete odometry",
-                    *gap));
-  }
   return FileAssociation(graph, params).run(progress);
-}
-
-std::optional<int> odometry_gap(const PoseGraph& graph) {
-  const std::vector<int> chain = split(graph).chain;
-  const auto gap = std::find(chain.begin(), chain.end(), -1);
-  if (gap == chain.end()) return std::nullopt;
-  return static_cast<int>(gap - chain.begin());
 }
 
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "common/pose_graph/optimize.hpp"
@@ -17,20 +16,19 @@ struct LazyLoopClosuresResult {
   std::vector<Association> history;
   /// Index of the constraint of each loop closure in `history`, by its id.
   std::vector<int> constraint_of_loop_closure;
+  /// Indices of the constraints that bridge gaps of the odometry (GraphOdometry) and are trusted.
+  std::vector<int> bridges;
   int trials = 0;
 };
 
 /// Lazy data association on a pose graph with possibly wrong loops: the constraints i → i + 1 (the
-/// first of each) are the odometry, all others are loop closures with one alternative, decided in
-/// the order of LoopQueue. Throws std::invalid_argument, naming the node, if the odometry has a
-/// gap. `progress` is called with the share that is done.
+/// first of each) and those that bridge gaps are the odometry (GraphOdometry), all others are loop
+/// closures with one alternative, decided in the order of LoopQueue. Throws std::invalid_argument,
+/// naming the node, if the graph is not connected. `progress` is called with the share that is
+/// done.
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress = {});
-
-/// The first pose without a constraint to the next; without complete odometry, loops cannot be
-/// tested.
-std::optional<int> odometry_gap(const PoseGraph& graph);
 
 /// Moves the poses to the optimum under the accepted constraints. Loops are down-weighted by their
 /// residuals (kernel of Geman and McClure): an accepted loop identifies the right place, but its

@@ -25,7 +25,8 @@ Eigen::Vector3d variances(const PoseConstraint& constraint) {
 
 }  // namespace
 
-LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops)
+LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain,
+                     const std::vector<PoseConstraint>& bridges, std::vector<PoseConstraint> loops)
     : loops_(std::move(loops)), is_pending_(loops_.size(), true) {
   for (int axis = 0; axis < 3 && !chain.empty(); ++axis) {
     std::vector<double> values;
@@ -48,6 +49,9 @@ LoopOrder::LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseC
       begin = here;
     }
     interval_.push_back(static_cast<int>(chain_.size()) - 1);
+  }
+  for (const PoseConstraint& bridge : bridges) {
+    link(chain_, interval_of(bridge.from), interval_of(bridge.to), variance_of(bridge));
   }
 }
 

@@ -18,8 +18,10 @@ namespace adit {
 /// loops, between intervals of the odometry, not nodes, so that the cost is bounded.
 class LoopOrder {
  public:
-  /// `chain`: the odometry, from each node to the next. `loops`: all loops, between these nodes.
-  LoopOrder(const std::vector<PoseConstraint>& chain, std::vector<PoseConstraint> loops);
+  /// `chain`: the odometry, from each node to the next. `bridges`: other certain constraints.
+  /// `loops`: all loops, between these nodes.
+  LoopOrder(const std::vector<PoseConstraint>& chain, const std::vector<PoseConstraint>& bridges,
+            std::vector<PoseConstraint> loops);
 
   /// The pending loops that are most certain where these loops are accepted, at most `most`:
   /// indices, most certain first. The last is at most twice as uncertain as the first.

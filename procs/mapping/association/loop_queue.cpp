@@ -20,7 +20,8 @@ LoopQueue::LoopQueue(std::vector<LoopClosure> loop_closures, LazyAssociation& as
     constraints.push_back(constraint_of(loop_closure, 0));
     loop_closures_.push_back(std::move(loop_closure));
   }
-  if (params.best_first) order_.emplace(association.problem().chain, std::move(constraints));
+  const AssociationProblem& problem = association.problem();
+  if (params.best_first) order_.emplace(problem.chain, problem.bridges, std::move(constraints));
 }
 
 std::pair<std::vector<LoopClosure>, std::vector<int>> LoopQueue::with_groups(

@@ -28,8 +28,8 @@ ChainInterval loop_of(const PoseConstraint& c) {
   return {std::min(c.from, c.to), std::max(c.from, c.to)};
 }
 
-/// The interval connected with `query` by loops that overlap in the chain. Decisions elsewhere have
-/// no influence on it: only the odometry links the intervals.
+/// The interval connected with `query` by loops (and bridges) that overlap in the chain. Decisions
+/// elsewhere have no influence on it: only the odometry links the intervals.
 ChainInterval connected_interval(std::vector<ChainInterval> loops, const ChainInterval& query) {
   loops.push_back(query);
   std::sort(loops.begin(), loops.end(),
@@ -101,6 +101,7 @@ class RevisionSearch {
     chosen_ = trial_.chosen_loop_closures();
     std::vector<ChainInterval> loops;
     for (const int k : chosen_) loops.push_back(loop_of(in_force(k)));
+    for (const PoseConstraint& bridge : problem_.bridges) loops.push_back(loop_of(bridge));
     affected_ = connected_interval(std::move(loops), loop_of(query()));
     std::erase_if(chosen_, [&](int k) { return !overlap(loop_of(in_force(k)), affected_); });
   }

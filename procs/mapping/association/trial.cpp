@@ -60,13 +60,14 @@ void Trial::set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) c
             hypothesis.T_map_local.begin() + first_);
 }
 
-/// Whether a chosen loop closure links a fixed map to a moving one. If only the odometry does, the
-/// fixed maps would not move anyway.
+/// Whether a chosen loop closure or a bridge links a fixed map to a moving one. If only the
+/// odometry does, the fixed maps would not move anyway.
 bool Trial::has_fixed_end() const {
+  const auto links = [&](const PoseConstraint& c) { return c.from < first_ && c.to >= first_; };
+  if (std::ranges::any_of(problem_.bridges, links)) return true;
   for (std::size_t k = 0; k < hypothesis_.chosen.size() && first_ > 0; ++k) {
     if (hypothesis_.chosen[k] == Association::kNone) continue;
-    const PoseConstraint c = constraint_of(problem_.loop_closures[k], hypothesis_.chosen[k]);
-    if (c.from < first_ && c.to >= first_) return true;
+    if (links(constraint_of(problem_.loop_closures[k], hypothesis_.chosen[k]))) return true;
   }
   return false;
 }

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -48,7 +51,10 @@ Loop closures:
                    the likelihood.
 
 With --loops lazy, the first constraint between each pose and the next one in the order of ids is odometry
-and is always accepted; it must exist for each pair. All other constraints are loop closures. The output
+and is always accepted. Where there is none, or none with information of full rank, the odometry has a gap;
+it is bridged by the constraint between its two parts with which most others agree. Bridges are accepted
+too, without a test: the output lists them as bridges_trusted, and standard error states their number.
+All other constraints are loop closures, also a second one between the same poses. The output
 then includes loops_accepted and loops_rejected as [from, to] in the ids of the file, trials (evaluated
 alternative sets of decisions) and revisions (decisions that were changed later). A robust kernel reduces
 the weight of accepted loop closures with large residuals; the objective sums all accepted constraints
@@ -82,9 +88,23 @@ OptimizeRun run(G2oGraph& file, const OptimizeOptions& options) {
   }
 }
 
+/// States the number of gaps and the first bridges.
+void warn_of_gaps(const OptimizeOptions& options, const std::vector<LoopDecisions::Ids>& bridges) {
+  constexpr std::size_t kNamedMax = 5;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(bridges.size(), kNamedMax); ++i) {
+    names += fmt::format("{}{} to {}", i > 0 ? ", " : "", bridges[i].first, bridges[i].second);
+  }
+  if (bridges.size() > kNamedMax) names += ", ..";
+  std::cerr << fmt::format(
+      "adit: {}: {} in the odometry, bridged by trusted constraints: {}\n", options.graph.string(),
+      bridges.size() == 1 ? "1 gap" : fmt::format("{} gaps", bridges.size()), names);
+}
+
 void optimize_file(const OptimizeOptions& options) {
   G2oGraph file = read_g2o(options.graph);
   const OptimizeRun done = run(file, options);
+  if (done.loops && !done.loops->bridges.empty()) warn_of_gaps(options, done.loops->bridges);
   if (!options.out.empty()) write_g2o(file, options.out);
   std::cout << to_json(file.graph, done) << "\n";
 }

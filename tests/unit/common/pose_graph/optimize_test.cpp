@@ -83,6 +83,19 @@ TEST(Optimize, ReportsANodeThatIsNotDetermined) {
   }
 }
 
+/// Wrong loops leave large residuals, with which Gauss-Newton alone contracts by percents per step.
+TEST(Optimize, ConvergesInFewStepsWithLargeResiduals) {
+  PoseGraph graph = test::square_trajectory_graph(3000, 100, 0.1);
+  const auto wrong = test::random_wrong_loops(graph, 10, 1);
+  graph.constraints.insert(graph.constraints.end(), wrong.begin(), wrong.end());
+  const OptimizeResult result = optimize(graph, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(result.iterations, 100);
+  const OptimizeResult again =
+      optimize(graph, {.rotation_initialization = false, .tolerance = 1e-14});
+  EXPECT_NEAR(again.objective, result.objective, 1e-8 * result.objective);
+}
+
 TEST(Optimize, HandlesGraphsOfZeroAndOnePoses) {
   PoseGraph graph;
   EXPECT_EQ(optimize(graph, {}).reason, OptimizeReason::kEmpty);

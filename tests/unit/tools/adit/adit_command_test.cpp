@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -152,12 +153,36 @@ TEST_F(AditCommand, OptimizeRejectsAWrongLoopClosure) {
   }
 }
 
-TEST_F(AditCommand, OptimizeRequiresOdometryForLazyAssociation) {
+TEST_F(AditCommand, OptimizeNamesTheBridgesOfGapsInTheOdometry) {
   std::ofstream(at("gap.g2o")) << kEdge << "EDGE_SE2 3 9 1 0 0 1 0 0 1 0 1\n";
   const CommandResult outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint between pose 4 and the next pose 9"));
-  EXPECT_EQ(adit({"optimize", at("gap.g2o")}).exit_code, 0);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(
+      outcome.err,
+      HasSubstr("gap.g2o: 1 gap in the odometry, bridged by trusted constraints: 3 to 9\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("\"bridges_trusted\": [\n    [3, 9]\n  ]"));
+  const CommandResult all = adit({"optimize", at("gap.g2o")});
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_THAT(all.err, testing::IsEmpty());
+}
+
+/// Graphs that have no optimum: one line each, with both kinds of association.
+TEST_F(AditCommand, OptimizeRejectsGraphsWithoutAnOptimumInOneLine) {
+  std::ofstream(at("apart.g2o")) << kEdge << "EDGE_SE2 7 8 1 0 0 1 0 0 1 0 1\n";
+  std::ofstream(at("free.g2o")) << kEdge << "EDGE_SE2 4 5 1 0 0 1 0 0 1 0 0\n";
+  std::ofstream(at("indefinite.g2o")) << kEdge << "EDGE_SE2 4 5 1 0 0 1 2 0 1 0 1\n";
+  const std::map<std::string, std::string> reasons = {
+      {"apart.g2o", "no chain of constraints links pose 7 with the first"},
+      {"free.g2o", "the constraints leave pose 5 free to move"},
+      {"indefinite.g2o", "indefinite.g2o:2: the information has the negative eigenvalue"}};
+  for (const char* loops : {"all", "lazy"}) {
+    for (const auto& [file, reason] : reasons) {
+      const CommandResult outcome = adit({"optimize", at(file), "--loops", loops});
+      EXPECT_EQ(outcome.exit_code, 2);
+      EXPECT_THAT(outcome.err, HasSubstr(reason));
+      EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+    }
+  }
 }
 
 TEST_F(AditCommand, SampleIsReproducibleAndCanBeImported) {

@@ -82,11 +82,20 @@ TEST_F(OptimizeRunTest, MeasuresWallTimes) {
   EXPECT_GT(run.stopwatch.ms(OptimizePhase::kFactorisation), 0.0);
 }
 
-TEST_F(OptimizeRunTest, ReportsAGapInTheOdometry) {
+TEST_F(OptimizeRunTest, ListsTheBridgesOfGapsInTheOdometry) {
   std::erase_if(file_.graph.constraints, [](const auto& c) { return c.from == 4 && c.to == 5; });
-  EXPECT_THAT(error_of([&] { optimize_lazily(file_, {}); }),
-              HasSubstr("no constraint between pose 1040 and the next pose 1050"));
-  EXPECT_EQ(error_of([&] { optimize_all(file_); }), "no error");
+  add(test::random_wrong_loops(file_.graph, 5, 1));
+  const OptimizeRun run = optimize_lazily(file_, {});
+  ASSERT_EQ(run.loops->bridges.size(), 1U);
+  const auto [from, to] = run.loops->bridges.front();
+  EXPECT_LT(from, 1050);
+  EXPECT_GE(to, 1050);
+  EXPECT_EQ(to - from, 800);  // one lap: a right loop
+  EXPECT_EQ(run.loops->accepted.size(), 119U);
+  EXPECT_EQ(run.loops->rejected.size(), 5U);
+  const auto json = nlohmann::json::parse(to_json(file_.graph, run));
+  EXPECT_EQ(json["odometry_gaps"], 1);
+  EXPECT_EQ(json["bridges_trusted"].get<std::vector<Ids>>(), run.loops->bridges);
 }
 
 TEST_F(OptimizeRunTest, ReportsAPoseWithoutConstraints) {

@@ -127,11 +127,45 @@ TEST_F(LazyLoopClosures, ReportProgress) {
   EXPECT_EQ(done, 1.0);
 }
 
-TEST_F(LazyLoopClosures, RequireCompleteOdometry) {
-  EXPECT_EQ(odometry_gap(graph_), std::nullopt);
-  std::erase_if(graph_.constraints, [](const auto& c) { return c.from == 41 && c.to == 42; });
-  EXPECT_EQ(odometry_gap(graph_), 41);
+/// As in files in which some constraints of the odometry are missing.
+TEST_F(LazyLoopClosures, AreDecidedAcrossGapsOfTheOdometry) {
+  const auto wrong = test::random_wrong_loops(graph_, 30, 1);
+  std::erase_if(graph_.constraints, [](const PoseConstraint& c) {
+    return c.to == c.from + 1 && (c.from == 41 || c.from == 42 || c.from == 230);
+  });
+  const auto right = std::ssize(graph_.constraints);
+  for (const bool best_first : {true, false}) {
+    const Accepted accepted = accepted_with(wrong, {.best_first = best_first});
+    EXPECT_EQ(accepted.wrong, 0);
+    EXPECT_EQ(accepted.right, right);
+  }
+  EXPECT_EQ(associate_loops_lazily(graph_, {}).bridges.size(), 3U);
+}
+
+TEST_F(LazyLoopClosures, RequireAConnectedGraph) {
+  std::erase_if(graph_.constraints, [](const auto& c) { return c.from < 42 && c.to >= 42; });
   EXPECT_THROW(associate_loops_lazily(graph_, {}), std::invalid_argument);
+}
+
+/// Each line twice, as in concatenated files.
+TEST_F(LazyLoopClosures, MayBeDuplicates) {
+  const std::vector<PoseConstraint> once = graph_.constraints;
+  graph_.constraints.insert(graph_.constraints.end(), once.begin(), once.end());
+  const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
+  EXPECT_THAT(result.accepted, Each(true));
+  EXPECT_EQ(result.constraint_of_loop_closure.size(), 2 * once.size() - 399);  // not the odometry
+}
+
+/// Loops that measure no rotation, and a step of the odometry that measures no position.
+TEST_F(LazyLoopClosures, MayHaveSingularInformation) {
+  for (PoseConstraint& c : graph_.constraints) {
+    if (test::is_loop(c)) c.information = Eigen::Vector3d(100.0, 100.0, 0.0).asDiagonal();
+  }
+  graph_.constraints[50].information = Eigen::Vector3d(0.0, 0.0, 1e4).asDiagonal();
+  const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
+  EXPECT_THAT(result.accepted, Each(true));
+  PoseGraph optimized = graph_;
+  EXPECT_TRUE(optimize_accepted(optimized, result.accepted).converged);
 }
 
 TEST(LazyLoopClosuresOfAFewPoses, AreEmptyForAGraphWithoutLoops) {

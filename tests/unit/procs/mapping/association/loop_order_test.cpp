@@ -25,7 +25,7 @@ PoseConstraint loop(int from, int to) {
 }
 
 TEST(LoopOrder, BeginsWithTheShortestLoops) {
-  LoopOrder order(odometry(), {loop(100, 900), loop(100, 250), loop(400, 500), loop(300, 600)});
+  LoopOrder order(odometry(), {}, {loop(100, 900), loop(100, 250), loop(400, 500), loop(300, 600)});
   EXPECT_THAT(order.most_certain(9, {}), ElementsAre(2, 1));  // others: over twice as uncertain
   EXPECT_THAT(order.most_certain(1, {}), ElementsAre(2));
   order.take({2, 1});
@@ -38,7 +38,7 @@ TEST(LoopOrder, BeginsWithTheShortestLoops) {
 
 /// A loop that begins and ends near an accepted one is as certain as that.
 TEST(LoopOrder, AcceptedLoopsMakeOthersMoreCertain) {
-  LoopOrder order(odometry(), {loop(100, 900), loop(120, 890), loop(300, 600)});
+  LoopOrder order(odometry(), {}, {loop(100, 900), loop(120, 890), loop(300, 600)});
   order.take({0});
   EXPECT_THAT(order.most_certain(1, {}), ElementsAre(2));
   EXPECT_THAT(order.most_certain(1, {0}), ElementsAre(1));
@@ -48,13 +48,13 @@ TEST(LoopOrder, AcceptedLoopsMakeOthersMoreCertain) {
 TEST(LoopOrder, CountsTheVarianceOfTheOdometry) {
   std::vector<PoseConstraint> chain = odometry();
   for (int i = 400; i < 450; ++i) chain[static_cast<std::size_t>(i)].information *= 0.01;
-  LoopOrder order(chain, {loop(390, 460), loop(500, 900)});
+  LoopOrder order(chain, {}, {loop(390, 460), loop(500, 900)});
   EXPECT_THAT(order.most_certain(1, {}), ElementsAre(1));
 }
 
 TEST(LoopOrder, IsEmptyWithoutLoops) {
-  EXPECT_THAT(LoopOrder({}, {}).most_certain(5, {}), IsEmpty());
-  EXPECT_THAT(LoopOrder(odometry(), {}).most_certain(5, {}), IsEmpty());
+  EXPECT_THAT(LoopOrder({}, {}, {}).most_certain(5, {}), IsEmpty());
+  EXPECT_THAT(LoopOrder(odometry(), {}, {}).most_certain(5, {}), IsEmpty());
 }
 
 }  // namespace

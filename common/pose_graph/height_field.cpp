@@ -28,8 +28,8 @@ Row row_of(const HeightConstraint& constraint, int nodes) {
   if (constraint.from > 0) row.coefficients.emplace_back(constraint.from - 1, -1.0);
   if (constraint.to > 0) row.coefficients.emplace_back(constraint.to - 1, 1.0);
   // A body that seems to pitch down by e too much seems to descend by e times the distance.
-  if (constraint.forward_m != 0.0) {
-    row.coefficients.emplace_back(nodes - 1 + constraint.session, constraint.forward_m);
+  for (const auto& [session, forward_m] : constraint.travels) {
+    if (forward_m != 0.0) row.coefficients.emplace_back(nodes - 1 + session, forward_m);
   }
   row.value = constraint.climb_m;
   row.information = 1.0 / (constraint.sd_m * constraint.sd_m);
@@ -52,7 +52,9 @@ HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constra
     : nodes_(std::max(nodes, 1)) {
   int sessions = 0;
   for (const HeightConstraint& constraint : constraints) {
-    sessions = std::max(sessions, constraint.session + 1);
+    for (const auto& travel : constraint.travels) {
+      sessions = std::max(sessions, travel.session + 1);
+    }
   }
   const int unknowns = nodes_ - 1 + sessions;
   if (unknowns == 0) return;

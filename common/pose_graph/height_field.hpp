@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -15,10 +16,13 @@ struct HeightConstraint {
   int to = 0;
   double climb_m = 0.0;  ///< height of `to` above `from`
   double sd_m = 1.0;
-  /// Signed distance travelled forwards [m], along which a constant error of the pitch adds up;
-  /// 0 where the difference was not integrated.
-  double forward_m = 0.0;
-  int session = 0;  ///< whose pitch error it is
+  /// Signed distance travelled forwards in a session, along which its constant error of the pitch
+  /// adds up in `climb_m`; negative where it is subtracted, 0 where nothing was integrated.
+  struct Travel {
+    int session = 0;
+    double forward_m = 0.0;
+  };
+  std::array<Travel, 2> travels{};
 };
 
 /// Heights of the nodes of a pose graph: a linear Gaussian Markov random field on the same graph,

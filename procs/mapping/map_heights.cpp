@@ -18,12 +18,12 @@ struct Approach {
   double rise_m = 0.0;  ///< of the second path above the first, each in its local map
 };
 
-Approach approach(const std::vector<Eigen::Vector3d>& path, const Pose2& T_path_other,
-                  const std::vector<Eigen::Vector3d>& other) {
+Approach approach(const std::vector<TraversedPoint>& path, const Pose2& T_path_other,
+                  const std::vector<TraversedPoint>& other) {
   Approach nearest;
-  for (const Eigen::Vector3d& q : other) {
+  for (const auto& [q, q_forward_m] : other) {
     const Eigen::Vector2d there = T_path_other * Eigen::Vector2d(q.head<2>());
-    for (const Eigen::Vector3d& p : path) {
+    for (const auto& [p, p_forward_m] : path) {
       const double distance_m = (p.head<2>() - there).norm();
       if (distance_m < nearest.distance_m) nearest = {distance_m, q.z() - p.z()};
     }
@@ -35,7 +35,7 @@ Approach approach(const std::vector<Eigen::Vector3d>& path, const Pose2& T_path_
 
 /// A session begins at an unknown place: the slope bounds the climb from the end of the last one.
 HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& before) const {
-  HeightConstraint climb{map.id - 1, map.id, map.climb_m, 0.0, map.forward_m, before.session};
+  HeightConstraint climb{map.id - 1, map.id, map.climb_m, 0.0, {{{before.session, map.forward_m}}}};
   if (map.session != before.session) {
     const double sd_m = 1.0 / std::sqrt(std::max(map.information(0, 0), 1e-12));
     const double length_m = map.T_previous_local.translation().norm();
@@ -73,7 +73,14 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<Loc
     const GroundOffset& ground = offset_at(loop_closure, walls);
     if (!std::isfinite(ground.offset_m)) continue;
     const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
-    constraints.push_back({loop_closure.from, loop_closure.to, ground.offset_m, sd_m, 0.0, 0});
+    const int from_session = maps[static_cast<std::size_t>(loop_closure.from)].session;
+    const int to_session = maps[static_cast<std::size_t>(loop_closure.to)].session;
+    constraints.push_back(
+        {loop_closure.from,
+         loop_closure.to,
+         ground.offset_m,
+         sd_m,
+         {{{from_session, ground.reference_forward_m}, {to_session, -ground.path_forward_m}}}});
   }
   field_ = HeightField(static_cast<int>(maps.size()), constraints, params_.pitch_sd_rad);
 }

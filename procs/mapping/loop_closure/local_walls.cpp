@@ -45,9 +45,12 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
   thinning.spacing_m = params.spacing_m;
   SurfelMap surfels(thinning);
   std::map<std::string, Pose2> last_view;
+  Pose2 T_local_last;
+  double forward_m = 0.0;
   for (const LocalScan& local : map.scans) {
-    const Eigen::Vector2d p = local.T_local_body.translation();
-    walls.path.emplace_back(p.x(), p.y(), local.z_m);
+    forward_m += between(T_local_last, local.T_local_body).x;
+    T_local_last = local.T_local_body;
+    walls.path.push_back({{local.T_local_body.x, local.T_local_body.y, local.z_m}, forward_m});
     const auto mount = mounts.find(local.channel);
     if (mount == mounts.end()) continue;
     const Attitude attitude = local.attitude.value_or(Attitude{});
@@ -107,20 +110,24 @@ double log_ratio(double distance, const WallAgreementParams& params) {
 
 }  // namespace
 
-GroundOffset ground_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
-                           const std::vector<Eigen::Vector3d>& path_reference) {
+GroundOffset ground_offset(const std::vector<TraversedPoint>& path, const Pose2& T_reference_path,
+                           const std::vector<TraversedPoint>& path_reference) {
   struct Pair {
     double distance_m;
     double offset_m;
+    double reference_forward_m;
+    double path_forward_m;
   };
   std::vector<Pair> pairs;
   GroundOffset result;
-  for (const Eigen::Vector3d& p : path) {
+  for (const auto& [p, p_forward_m] : path) {
     const Eigen::Vector2d there = T_reference_path * Eigen::Vector2d(p.head<2>());
-    Pair nearest{kSameGroundM, 0.0};
-    for (const Eigen::Vector3d& q : path_reference) {
+    Pair nearest{kSameGroundM, 0.0, 0.0, 0.0};
+    for (const auto& [q, q_forward_m] : path_reference) {
       const double distance_m = (q.head<2>() - there).norm();
-      if (distance_m < nearest.distance_m) nearest = {distance_m, q.z() - p.z()};
+      if (distance_m < nearest.distance_m) {
+        nearest = {distance_m, q.z() - p.z(), q_forward_m, p_forward_m};
+      }
     }
     if (nearest.distance_m < kSameGroundM) pairs.push_back(nearest);
     result.distance_m = std::min(result.distance_m, nearest.distance_m);
@@ -132,6 +139,8 @@ GroundOffset ground_offset(const std::vector<Eigen::Vector3d>& path, const Pose2
   std::nth_element(pairs.begin(), middle, pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.offset_m < b.offset_m; });
   result.offset_m = middle->offset_m;
+  result.reference_forward_m = middle->reference_forward_m;
+  result.path_forward_m = middle->path_forward_m;
   return result;
 }
 

@@ -40,6 +40,12 @@ struct LocalWallsParams {
   }
 };
 
+/// A point of the traversed path in a local map.
+struct TraversedPoint {
+  Eigen::Vector3d p;       ///< of the body [m]
+  double forward_m = 0.0;  ///< travelled forwards from the origin, less that backwards
+};
+
 /// The walls and free space of a local map, in its frame, as matching uses them.
 struct LocalWalls {
   /// The free space of a scan; few such views cover nearly all the observed space.
@@ -51,7 +57,7 @@ struct LocalWalls {
   std::vector<SurfacePoint> points;
   double length_m = 0.0;  ///< approximate total length of the walls
   std::vector<View> views;
-  std::vector<Eigen::Vector3d> path;  ///< of the body [m]
+  std::vector<TraversedPoint> path;
 };
 
 /// Extracts the walls of a local map, without what may be ground or roof. Scans on a channel
@@ -63,12 +69,16 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
 struct GroundOffset {
   double offset_m = std::numeric_limits<double>::quiet_NaN();
   double distance_m = 2.0;  ///< in plan, between the points that were compared
+  /// Travelled forwards from the origins of both maps to the points that give the offset; a pitch
+  /// error acts along it.
+  double reference_forward_m = 0.0;
+  double path_forward_m = 0.0;
 };
 
 /// From the ground that both maps drove on: the median where their paths are nearest to each other.
 /// NaN if they do not come within 2 m.
-GroundOffset ground_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
-                           const std::vector<Eigen::Vector3d>& path_reference);
+GroundOffset ground_offset(const std::vector<TraversedPoint>& path, const Pose2& T_reference_path,
+                           const std::vector<TraversedPoint>& path_reference);
 
 struct WallAgreementParams {
   /// Maximum distance between a point and its wall.

@@ -70,9 +70,9 @@ class MapMatcher {
         older_views_.push_back({view.free_space.raised(placed.z_older_walls_m),
                                 placed.T_older_walls * view.T_local_body});
       }
-      for (const Eigen::Vector3d& p : placed.walls->path) {
+      for (const auto& [p, forward_m] : placed.walls->path) {
         const Eigen::Vector2d there = placed.T_older_walls * Eigen::Vector2d(p.head<2>());
-        older_path_.emplace_back(there.x(), there.y(), p.z() + placed.z_older_walls_m);
+        older_path_.push_back({{there.x(), there.y(), p.z() + placed.z_older_walls_m}, forward_m});
       }
     }
     newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
@@ -229,9 +229,9 @@ class MapMatcher {
     const Pose2 T_newer_older = T.inverse();
     if (older_alone_path_.empty() || newer_path_.empty()) return Eigen::Matrix3d::Zero();
     Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::max() / 4.0);
-    for (const Eigen::Vector3d& q : older_alone_path_) {
+    for (const auto& [q, q_forward_m] : older_alone_path_) {
       const Eigen::Vector2d there = T_newer_older * Eigen::Vector2d(q.head<2>());
-      for (const Eigen::Vector3d& p : newer_path_) {
+      for (const auto& [p, p_forward_m] : newer_path_) {
         const Eigen::Vector2d apart = there - p.head<2>();
         if (apart.squaredNorm() < nearest.squaredNorm()) nearest = apart;
       }
@@ -299,14 +299,14 @@ class MapMatcher {
   std::vector<SurfacePoint> few_points_;
   std::vector<SurfacePoint> newer_flat_;  ///< without heights, as is `few_flat_`
   std::vector<SurfacePoint> few_flat_;
-  std::vector<Eigen::Vector3d> newer_path_;
+  std::vector<TraversedPoint> newer_path_;
   SurfelMap newer_;
   const std::vector<LocalWalls::View>& newer_views_;
   std::vector<SurfacePoint> older_points_;
   SurfelMap older_;  ///< with its neighbours
   SurfelMap older_alone_;
-  std::vector<Eigen::Vector3d> older_path_;
-  std::vector<Eigen::Vector3d> older_alone_path_;
+  std::vector<TraversedPoint> older_path_;
+  std::vector<TraversedPoint> older_alone_path_;
   std::vector<LocalWalls::View> older_views_;
   double newer_step_m_ = 0.0;  ///< length of wall per point
   double older_step_m_ = 0.0;

@@ -15,7 +15,9 @@ constexpr double kPitchSd = 0.005;
 /// A chain of climbs; node i + 1 is `climb_m` above node i.
 std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, double forward_m) {
   std::vector<HeightConstraint> constraints;
-  for (int i = 0; i + 1 < nodes; ++i) constraints.push_back({i, i + 1, climb_m, sd_m, forward_m});
+  for (int i = 0; i + 1 < nodes; ++i) {
+    constraints.push_back({i, i + 1, climb_m, sd_m, {{{0, forward_m}}}});
+  }
   return constraints;
 }
 
@@ -36,15 +38,15 @@ TEST(HeightField, ErrorOfThePitchAddsUpWithTheDistance) {
 TEST(HeightField, ReturnToTheStartRevealsTheErrorOfThePitch) {
   constexpr double kError = 0.003;
   auto constraints = chain(9, 0.0, 1e-3, 10.0);
-  for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.forward_m;
-  constraints.push_back({0, 8, 0.0, 1e-3});  // the same ground
+  for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
+  constraints.push_back({0, 8, 0.0, 1e-3, {}});  // the same ground
   const HeightField field(9, constraints, kPitchSd);
   EXPECT_NEAR(field.pitch_error_rad(0), kError, 1e-5);
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-3);
 }
 
 TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
-  const HeightField field(3, {{0, 1, 0.5, 0.01}}, kPitchSd);
+  const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, kPitchSd);
   EXPECT_NEAR(field.height_m(1), 0.5, 1e-6);
   EXPECT_NEAR(field.variances_to(0)[2], 1e6, 1.0);
   EXPECT_EQ(HeightField().nodes(), 1);
@@ -60,10 +62,10 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
   auto constraints = chain(kNodes, 0.0, 0.02, 5.0);
   for (HeightConstraint& climb : constraints) {
     climb.climb_m = 0.1 * normal(random);
-    climb.session = climb.from < 6 ? 0 : 1;
+    climb.travels[0].session = climb.from < 6 ? 0 : 1;
   }
-  constraints.push_back({2, 9, 0.1, 0.03});
-  constraints.push_back({0, 11, -0.2, 0.03});
+  constraints.push_back({2, 9, 0.1, 0.03, {{{0, 3.0}, {1, -2.0}}}});
+  constraints.push_back({0, 11, -0.2, 0.03, {}});
   const HeightField field(kNodes, constraints, kPitchSd);
 
   constexpr int kUnknowns = kNodes - 1 + 2;
@@ -74,7 +76,9 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(kUnknowns);
     if (constraint.from > 0) row[constraint.from - 1] -= 1.0;
     if (constraint.to > 0) row[constraint.to - 1] += 1.0;
-    row[kNodes - 1 + constraint.session] += constraint.forward_m;
+    for (const auto& [session, forward_m] : constraint.travels) {
+      row[kNodes - 1 + session] += forward_m;
+    }
     const double weight = 1.0 / (constraint.sd_m * constraint.sd_m);
     information += weight * row * row.transpose();
     b += weight * constraint.climb_m * row;

@@ -30,7 +30,7 @@ struct Ramp {
       map.scans.push_back(scan);
       LocalWalls wall;
       for (double x = 0.0; x <= kLengthM; x += kPathStepM)
-        wall.path.emplace_back(x, 0.0, grade * x);
+        wall.path.push_back({{x, 0.0, grade * x}, x});
       maps.push_back(map);
       walls.push_back(wall);
     }
@@ -82,6 +82,42 @@ TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
   EXPECT_NEAR(heights.height_m(8), 0.4, 1e-3);
   heights.update(ramp.maps, ramp.walls, {same_place});
   EXPECT_NEAR(heights.height_m(8), 0.0, 0.03);
+}
+
+/// Out and back in reverse, a constant error of the pitch leaves no trace: the heights of the way
+/// back are those of the way out, and how far they are wrong stays unknown.
+TEST(MapHeights, ReverseDrivingDoesNotRevealTheErrorOfThePitch) {
+  constexpr double kError = 0.01;
+  constexpr int kOut = 5;  // local maps out, and as many back
+  Ramp ramp(2 * kOut + 1, 0.0);
+  for (LocalMap& map : ramp.maps) {
+    const double direction = map.id > kOut ? -1.0 : 1.0;
+    map.T_previous_local = {direction * kLengthM, 0.0, 0.0};
+    if (map.id > 0) map.forward_m = direction * kLengthM;
+    map.climb_m = kError * map.forward_m;
+    // The frame of a map is where it begins.
+    const double onwards = map.id < kOut ? 1.0 : -1.0;
+    for (TraversedPoint& point : ramp.walls[static_cast<std::size_t>(map.id)].path) {
+      point.forward_m *= onwards;
+      point.p.x() *= onwards;
+      point.p.z() = kError * point.forward_m;
+    }
+  }
+  // The last map begins at the start, the others back beside those of the way out.
+  std::vector<PoseConstraint> loop_closures;
+  for (int back = kOut + 1; back <= 2 * kOut; ++back) {
+    const int out = 2 * kOut - back;
+    loop_closures.push_back({out, back, {}, Eigen::Matrix3d::Identity()});
+    if (out > 0) {
+      loop_closures.push_back({out - 1, back, {kLengthM, 0.0, 0.0}, Eigen::Matrix3d::Identity()});
+    }
+  }
+  MapHeights heights{MapHeightsParams{}};
+  heights.update(ramp.maps, ramp.walls, loop_closures);
+  EXPECT_NEAR(heights.height_m(kOut), kError * kOut * kLengthM, 1e-3);  // nothing corrects it
+  const MapHeightsParams params;
+  const double pitch_m = params.pitch_sd_rad * kOut * kLengthM;
+  EXPECT_GT(std::sqrt(heights.variance(0, kOut)), 0.99 * pitch_m);  // and it is not sure either
 }
 
 TEST(MapHeights, PathsInOneLineDoNotTieTheirEnds) {

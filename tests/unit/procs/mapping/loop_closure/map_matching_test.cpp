@@ -89,11 +89,11 @@ TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
     if (found.empty()) return Eigen::Matrix3d::Zero();
     return found.front().information.inverse();
   };
-  const auto by_x = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return a.x() < b.x();
+  const auto by_x = [](const TraversedPoint& a, const TraversedPoint& b) {
+    return a.p.x() < b.p.x();
   };
-  const double apart_m = truth.x + std::ranges::min(newer.path, by_x).x() -
-                         std::ranges::max(older.path, by_x).x();  // along a straight tunnel
+  const double apart_m = truth.x + std::ranges::min(newer.path, by_x).p.x() -
+                         std::ranges::max(older.path, by_x).p.x();  // along a straight tunnel
   ASSERT_GT(apart_m, 4.0);
   const Eigen::Matrix3d added = covariance(1.0) - covariance(0.0);
   const double roughness_m = std::sqrt(added(0, 0)) / (apart_m * apart_m);

@@ -94,6 +94,7 @@ ScanMatching::ScanMatching(const ScanMatchingParams& params)
       motion_(params.motion),
       attitude_(params.attitude),
       reference_(params.reference),
+      disagreement_(params.disagreement),
       search_(params.search),
       standstill_(params.standstill),
       chain_doubt_(params.doubt) {}
@@ -229,7 +230,7 @@ PoseSearchResult ScanMatching::locate(const ScanObservation& observation,
   if (best.score >= params_.lost_score && match.inlier_share >= params_.inlier_share_min) {
     match.status = ScanMatch::Status::kMatched;
     typical_score_ += kTypicalShare * (best.score - typical_score_);
-    accept_match(best, expected, lever_arm_m(observation.points), match);
+    accept_match(observation.laser, best, expected, lever_arm_m(observation.points), match);
   } else {
     match.status = ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
@@ -240,17 +241,20 @@ PoseSearchResult ScanMatching::locate(const ScanObservation& observation,
 }
 
 /// Sets pose and covariance from the match, and from the prediction in degenerate directions.
-void ScanMatching::accept_match(const PoseCandidate& best, const MotionEstimate& expected,
-                                double lever_arm, ScanMatch& match) {
-  const ConstrainedInformation constrained =
+void ScanMatching::accept_match(LaserId laser, const PoseCandidate& best,
+                                const MotionEstimate& expected, double lever_arm,
+                                ScanMatch& match) {
+  ConstrainedInformation constrained =
       split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
   match.lever_arm_m = lever_arm;
   for (const UnconstrainedDirection& unconstrained : constrained.degenerate) {
     match.degenerate.push_back(
         {unconstrained.direction, fill_of(unconstrained.direction, expected)});
   }
-  match.T_odom_body =
-      fill_unconstrained(best.match.T_odom_body, expected, constrained.degenerate, lever_arm);
+  match.T_odom_body = disagreement_.fuse(
+      laser, match.utime, expected,
+      fill_unconstrained(best.match.T_odom_body, expected, constrained.degenerate, lever_arm),
+      constrained.information);
   // Both ends of the motion were matched against the reference, each with its own error.
   const Eigen::Matrix3d Ad = adjoint(between(match.T_odom_body, T_odom_body_));
   match.covariance =

@@ -19,6 +19,7 @@
 #include "procs/scan_matching/body_attitude.hpp"
 #include "procs/scan_matching/chain_doubt.hpp"
 #include "procs/scan_matching/known_ground.hpp"
+#include "procs/scan_matching/laser_disagreement.hpp"
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
@@ -32,6 +33,7 @@ struct ScanMatchingParams {
   MotionPredictionParams motion;
   BodyAttitudeParams attitude;
   LocalReferenceParams reference;
+  LaserDisagreementParams disagreement;
   PoseSearchParams search;
   StandstillParams standstill;
   DegeneracyParams degeneracy;
@@ -52,6 +54,7 @@ struct ScanMatchingParams {
     v("motion", motion);
     v("attitude", attitude);
     v("reference", reference);
+    v("disagreement", disagreement);
     v("search", search);
     v("standstill", standstill);
     v("degeneracy", degeneracy);
@@ -98,8 +101,8 @@ class ScanMatching {
   [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
   PoseSearchResult locate(const ScanObservation& observation, const MotionEstimate& expected,
                           ScanMatch& match);
-  void accept_match(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
-                    ScanMatch& match);
+  void accept_match(LaserId laser, const PoseCandidate& best, const MotionEstimate& expected,
+                    double lever_arm_m, ScanMatch& match);
   void advance(ScanObservation observation, const ScanMatch& match);
   void update_odometer();
   void update_reference(ScanObservation observation, const ScanMatch& match);
@@ -109,6 +112,7 @@ class ScanMatching {
   BodyAttitude attitude_;
   KnownGround ground_;
   LocalReference reference_;
+  LaserDisagreement disagreement_;
   PoseSearch search_;
   Standstill standstill_;
   ChainDoubt chain_doubt_;

@@ -303,6 +303,8 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
+  if (const auto length_m = transit_length_m())
+    maneuver_ = Retracing::transit_over_scan(localization_.traversed_path(), *length_m);
 }
 
 void Mission::add_path(const PlannedPath& path) {

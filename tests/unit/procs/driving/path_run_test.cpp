@@ -121,8 +121,8 @@ TEST(BlendedRun, IsWiderWhereWallsAreFar) {
     return 2.0 - (run.at(s_m).translation() - Eigen::Vector2d(0.0, 2.0)).norm();
   };
   EXPECT_NEAR(cut_m(3.0), 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // spacing of the knots
-  EXPECT_NEAR(cut_m(6.0), 0.5 * 1.0 * 1.0 / 24.0, 2e-4);
-  for (double s_m = 2.0; s_m < 7.0; s_m += 0.05)  // the cut changes by 1.6 cm over a metre
+  EXPECT_NEAR(cut_m(6.0), 0.5 * 1.0 * 1.0 / 24.0, 5e-4);  // 17 samples of the mean
+  for (double s_m = 2.0; s_m < 7.0; s_m += 0.05)          // the cut changes by 1.6 cm over a metre
     EXPECT_NEAR(run.curvature_1_m(s_m - 0.05, s_m + 0.05), 0.5, 0.06) << s_m;
 }
 

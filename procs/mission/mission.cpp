@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kExplorationTimeoutS = 300.0;  // it may restart, and wait for the map
 constexpr double kLookS = 5.0;                  // mapping takes 2 s and reports each second
-constexpr double kScanTimeoutS = 30.0;          // a sweep takes 6 s
+constexpr double kScanTimeoutS = 30.0;          // a sweep takes 8 s
 constexpr double kPlanTimeoutS = 10.0;
 constexpr double kDrivingTimeoutS = 3.0;
 constexpr double kPathReceiptS = 2.0;   // until driving has received its path

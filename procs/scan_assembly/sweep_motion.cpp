@@ -9,7 +9,6 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kRepeatPeriodUs = 1'000'000;
-constexpr std::int64_t kSweepRepeatPeriodUs = 200'000;
 constexpr double kStoppedRad = 0.001;  // maximum change between readings of a standing laser
 
 }  // namespace
@@ -28,23 +27,16 @@ std::optional<TiltCommand> SweepMotion::advance(std::int64_t utime) {
     }
     enter(phase_ == Phase::kApproach ? Phase::kSweep : Phase::kReturn);
   }
-  const double rate = rate_rad_s();
-  const auto period_us = phase_ == Phase::kSweep ? kSweepRepeatPeriodUs : kRepeatPeriodUs;
-  const bool is_repetition = command_utime_ && rate == command_rate_rad_s_;
-  if (is_repetition && utime < *command_utime_ + period_us) return std::nullopt;
+  if (command_utime_ && utime < *command_utime_ + kRepeatPeriodUs) return std::nullopt;
   command_utime_ = utime;
-  command_rate_rad_s_ = rate;
-  return TiltCommand{utime, goal_rad(), rate};
+  const bool sweeps = phase_ == Phase::kSweep;
+  return TiltCommand{utime, goal_rad(), sweeps ? params_.rate_rad_s : params_.approach_rate_rad_s};
 }
 
 double SweepMotion::duration_s() const {
   const double range = std::abs(params_.to_rad - params_.from_rad);
   const double approach = std::max(range, std::abs(params_.from_rad));
-  const double low = std::min(params_.from_rad, params_.to_rad);
-  const double near_level = std::clamp(low + range, -params_.steep_rad, params_.steep_rad) -
-                            std::clamp(low, -params_.steep_rad, params_.steep_rad);
-  return approach / params_.approach_rate_rad_s + near_level / params_.rate_rad_s +
-         (range - near_level) / params_.steep_rate_rad_s;
+  return approach / params_.approach_rate_rad_s + range / params_.rate_rad_s;
 }
 
 void SweepMotion::enter(Phase phase) {
@@ -57,12 +49,6 @@ void SweepMotion::enter(Phase phase) {
 double SweepMotion::goal_rad() const {
   if (phase_ == Phase::kApproach) return params_.from_rad;
   return phase_ == Phase::kSweep ? params_.to_rad : 0.0;
-}
-
-double SweepMotion::rate_rad_s() const {
-  if (phase_ != Phase::kSweep) return params_.approach_rate_rad_s;
-  const bool is_steep = std::abs(last_rad_.value_or(params_.from_rad)) > params_.steep_rad;
-  return is_steep ? params_.steep_rate_rad_s : params_.rate_rad_s;
 }
 
 bool SweepMotion::arrived() const {

@@ -11,13 +11,9 @@
 namespace adit {
 
 struct SweepMotionParams {
-  double from_rad = -0.5;     ///< start angle; positive is down
-  double to_rad = 0.5;        ///< end angle
-  double rate_rad_s = 0.156;  ///< of the sweep near level: lines of an LMS-200 0.24° apart
-  /// Angle beyond which the sweep is faster: lines there are close together on ground and roof, 11
-  /// cm on level ground at the rate below, as much as a cell of the terrain.
-  double steep_rad = 0.25;
-  double steep_rate_rad_s = 0.4;
+  double from_rad = -0.5;            ///< start angle; positive is down
+  double to_rad = 0.5;               ///< end angle
+  double rate_rad_s = 0.156;         ///< of the sweep: 240 lines of an LMS-200, 0.24° apart
   double approach_rate_rad_s = 0.5;  ///< to the start and back to level
   double arrived_rad = 0.005;        ///< maximum error of a laser that stands at its goal
 
@@ -26,16 +22,13 @@ struct SweepMotionParams {
     v("from_rad", from_rad, within(-1.5, 1.5));
     v("to_rad", to_rad, within(-1.5, 1.5));
     v("rate_rad_s", rate_rad_s, above(0.0));
-    v("steep_rad", steep_rad, within(0.0, 1.5));
-    v("steep_rate_rad_s", steep_rate_rad_s, above(0.0));
     v("approach_rate_rad_s", approach_rate_rad_s, above(0.0));
     v("arrived_rad", arrived_rad, above(0.0));
   }
 };
 
 /// The tilt motion of a sweep: to its start, to its end, back to level. A command is repeated each
-/// second until the laser has arrived, as it may be lost; in the sweep, whose rate depends on the
-/// angle, five times each second.
+/// second until the laser has arrived, as it may be lost.
 class SweepMotion {
  public:
   enum class Phase { kIdle, kApproach, kSweep, kReturn };
@@ -60,14 +53,12 @@ class SweepMotion {
  private:
   void enter(Phase phase);
   [[nodiscard]] double goal_rad() const;
-  [[nodiscard]] double rate_rad_s() const;
   [[nodiscard]] bool arrived() const;
 
   SweepMotionParams params_;
   Phase phase_ = Phase::kIdle;
   std::optional<double> last_rad_, before_last_rad_;  ///< of this phase
   std::optional<std::int64_t> command_utime_;         ///< of the last command in this phase
-  double command_rate_rad_s_ = 0.0;                   ///< of that command
 };
 
 }  // namespace adit

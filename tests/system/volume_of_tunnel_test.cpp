@@ -55,7 +55,7 @@ class ScanningRobot {
             to_message(MapCorrection{bus_.now_utime(), revision, 0, 0, T_map_odom, {}}));
   }
 
-  /// Makes a 3D scan; the sweep takes six seconds.
+  /// Makes a 3D scan; the sweep takes eight seconds.
   void scan_around() {
     robot_.run(1.5);
     publish(bus_, channels::kScanRequest,

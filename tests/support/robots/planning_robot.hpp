@@ -31,7 +31,7 @@ class PlanningRobot {
                          });
   }
 
-  /// Requests a 3D scan, runs ten seconds (the sweep takes six), then publishes a goal straight
+  /// Requests a 3D scan, runs ten seconds (the sweep takes eight), then publishes a goal straight
   /// ahead.
   void scan_and_plan(double distance_m) {
     run(1.5);

@@ -61,7 +61,7 @@ TEST_F(ScanAssemblyNodeTest, PublishesTheCloudOfARequestInTenSeconds) {
   EXPECT_TRUE(cloud.complete);
   EXPECT_EQ(cloud.id, 5);
   EXPECT_EQ(node_.health(), Health{});
-  EXPECT_GT(cloud.lines.size(), 165U);
+  EXPECT_GT(cloud.lines.size(), 230U);
   EXPECT_GT(fragments_, 10);
   EXPECT_GT(heartbeat_.handled, 1000);
   EXPECT_EQ(heartbeat_.dropped, 0);
@@ -98,7 +98,7 @@ TEST_F(ScanAssemblyNodeTest, IgnoresRepetitionsOfARequest) {
   run(1.5);
   for (int i = 0; i < 5; ++i) {
     request(LaserId::kFront);
-    run(1.0);
+    run(2.0);
     EXPECT_EQ(node_.health(), Health{}) << i;
   }
   run(10.0);

@@ -35,8 +35,8 @@ TEST(ScanAssembly, PutsEveryPointOnASurface) {
   EXPECT_TRUE(cloud->complete);
   EXPECT_EQ(cloud->id, 7);
   EXPECT_EQ(assembly.problem(), "");
-  EXPECT_NEAR(static_cast<double>(cloud->lines.size()), 176.0, 5.0);  // 4.5 s and ramps at 37.5 Hz
-  EXPECT_GT(cloud->points(), 50'000U);  // of 361 beams less those along the tunnel
+  EXPECT_NEAR(static_cast<double>(cloud->lines.size()), 243.0, 4.0);  // 6.4 s and ramps at 37.5 Hz
+  EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the tunnel
   EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 

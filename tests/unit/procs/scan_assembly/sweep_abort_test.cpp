@@ -17,7 +17,7 @@ using test::perfect_laser;
 using test::SweepingRobot;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDuringSweepS = 6.0;  // the sweep lasts from 3.3 s to 8 s
+constexpr double kDuringSweepS = 6.0;  // the sweep lasts from 3.3 s to 9.8 s
 
 const BoxTunnel kTunnel;
 

@@ -19,10 +19,6 @@ class SweepMotionTest : public testing::Test {
     const auto command = sweep_.advance(utime);
     return command ? command->angle_rad : std::numeric_limits<double>::quiet_NaN();
   }
-  double rate_at(std::int64_t utime) {
-    const auto command = sweep_.advance(utime);
-    return command ? command->rate_rad_s : std::numeric_limits<double>::quiet_NaN();
-  }
 
   SweepMotion sweep_{SweepMotionParams{}};
 };
@@ -61,35 +57,6 @@ TEST_F(SweepMotionTest, RepeatsTheCommandEachSecond) {
   EXPECT_TRUE(std::isnan(goal_at(999'999)));
   EXPECT_EQ(goal_at(1'000'000), -0.5);
   EXPECT_TRUE(std::isnan(goal_at(1'000'001)));
-}
-
-TEST_F(SweepMotionTest, IsSlowerNearLevel) {
-  sweep_.begin();
-  sweep_.advance(0);
-  read(-0.5);
-  read(-0.5);
-  const SweepMotionParams params;
-  EXPECT_EQ(rate_at(1), params.steep_rate_rad_s);
-  read(-0.26);
-  EXPECT_TRUE(std::isnan(rate_at(2)));
-  read(-0.24);
-  EXPECT_EQ(rate_at(3), params.rate_rad_s);  // immediately
-  read(0.24);
-  EXPECT_TRUE(std::isnan(rate_at(4)));
-  read(0.26);
-  EXPECT_EQ(rate_at(5), params.steep_rate_rad_s);
-  EXPECT_TRUE(std::isnan(rate_at(200'004)));
-  EXPECT_EQ(rate_at(200'005), params.steep_rate_rad_s);  // repeated
-}
-
-TEST(SweepMotion, StatesItsDuration) {
-  SweepMotionParams params;  // from -0.5 to 0.5 rad, steep beyond 0.25
-  params.rate_rad_s = 0.1;
-  params.steep_rate_rad_s = 0.25;
-  params.approach_rate_rad_s = 0.5;
-  EXPECT_DOUBLE_EQ(SweepMotion(params).duration_s(), 1.0 / 0.5 + 0.5 / 0.1 + 0.5 / 0.25);
-  params.from_rad = 0.1;  // the lower part only
-  EXPECT_DOUBLE_EQ(SweepMotion(params).duration_s(), 0.4 / 0.5 + 0.15 / 0.1 + 0.25 / 0.25);
 }
 
 }  // namespace

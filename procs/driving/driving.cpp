@@ -54,7 +54,10 @@ void Driving::follow(const PlannedPath& path) {
   state_.kind = Kind::kDriving;
   state_.reason.clear();
   std::vector<PathRun> runs = split_into_runs(path.points, steered_);
-  for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
+  for (PathRun& run : runs) {
+    run = blended(run, params_.steering.blend_m, params_.steering.blend_wide_m,
+                  params_.speed.clearance_full_m);
+  }
   progress_.emplace(std::move(runs));
   monitor_.reset();
   slow_until_m_ = 0.0;

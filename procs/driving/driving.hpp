@@ -25,11 +25,14 @@ namespace adit {
 struct SteeringParams {
   double rate_1_m_s = 0.4;  ///< maximum rate of change of the curvature
   double blend_m = 0.5;     ///< distance over which a jump of the path's curvature is blended
+  /// The same where walls are far enough that the speed is not reduced for them.
+  double blend_wide_m = 0.75;
 
   template <class V>
   void visit(V& v) {
     v("rate_1_m_s", rate_1_m_s, above(0.0));
     v("blend_m", blend_m, within(0.0, 2.0));
+    v("blend_wide_m", blend_wide_m, within(0.0, 2.0));
   }
 };
 

@@ -18,6 +18,8 @@ constexpr double kPointDistanceMinM = 0.001;
 constexpr double kEndCurvatureM = 0.05;  // length at the end of a run that defines its curvature
 constexpr double kKnotSpacingM = 0.05;   // of a blended run
 constexpr int kSamples = 8;              // of a mean, to either side
+constexpr double kWideningM = 0.05;      // of clearance, over which the window of a mean widens
+constexpr double kWideningRate = 0.5;    // of the window per metre of path, or bends would kink
 
 void add_knot(const PathPoint& point, const SteeredPoint& steered,
               std::vector<PathRun::Knot>& knots) {
@@ -43,6 +45,23 @@ Pose2 mean_pose(const PathRun& run, double s_m, double half_m) {
   }
   const Eigen::Vector3d mean = sum / (2.0 * kSamples);
   return {mean.x(), mean.y(), mean.z()};
+}
+
+/// The windows of the means at equal distances along a run.
+std::vector<double> windows_m(const PathRun& run, std::size_t segments, double blend_m,
+                              double wide_m, double clearance_m) {
+  const double spacing_m = run.length_m() / static_cast<double>(std::max<std::size_t>(segments, 1));
+  std::vector<double> windows;
+  for (std::size_t i = 0; i <= segments; ++i) {
+    const double over_m = run.clearance_m(spacing_m * static_cast<double>(i)) - clearance_m;
+    windows.push_back(std::lerp(blend_m, wide_m, std::clamp(over_m / kWideningM, 0.0, 1.0)));
+  }
+  const double step_m = kWideningRate * spacing_m;
+  for (std::size_t i = 1; i < windows.size(); ++i)
+    windows[i] = std::min(windows[i], windows[i - 1] + step_m);
+  for (std::size_t i = windows.size() - 1; i-- > 0;)
+    windows[i] = std::min(windows[i], windows[i + 1] + step_m);
+  return windows;
 }
 
 }  // namespace
@@ -146,12 +165,15 @@ std::vector<PathRun> split_into_runs(const std::vector<PathPoint>& points,
   return runs;
 }
 
-PathRun blended(const PathRun& run, double blend_m) {
-  const int segments = static_cast<int>(std::ceil(run.length_m() / kKnotSpacingM));
+PathRun blended(const PathRun& run, double blend_m, double wide_m, double clearance_m) {
+  const auto segments = static_cast<std::size_t>(std::ceil(run.length_m() / kKnotSpacingM));
+  const std::vector<double> windows = windows_m(run, segments, blend_m, wide_m, clearance_m);
   std::vector<PathRun::Knot> knots;
-  for (int i = 0; i <= segments; ++i) {
-    const double s_m = segments > 0 ? run.length_m() * i / segments : 0.0;
-    const double half_m = std::min({blend_m / 2.0, s_m, run.length_m() - s_m});
+  for (std::size_t i = 0; i <= segments; ++i) {
+    const double s_m = segments > 0
+                           ? run.length_m() * static_cast<double>(i) / static_cast<double>(segments)
+                           : 0.0;
+    const double half_m = std::min({windows[i] / 2.0, s_m, run.length_m() - s_m});
     PathRun::Knot knot{0.0, mean_pose(run, s_m, half_m), run.clearance_m(s_m)};
     if (i > 0) {
       const Pose2& last = knots.back().T_odom_steered;

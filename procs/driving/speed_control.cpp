@@ -42,7 +42,7 @@ SpeedProfile::SpeedProfile(const PathRun& run, const SpeedParams& params, double
   for (std::size_t i = segments; i-- > 0;) {
     const double s_m = spacing_m_ * static_cast<double>(i);
     const double local_m_s = local_limit_m_s(run, s_m, limit_m_s, params, steering_rate_1_m_s);
-    const double braking = squares_[i + 1] + 2.0 * params.acceleration_m_s2 * spacing_m_;
+    const double braking = squares_[i + 1] + 2.0 * params.braking_m_s2 * spacing_m_;
     squares_[i] = std::min(local_m_s * local_m_s, braking);
   }
 }

@@ -10,9 +10,10 @@
 namespace adit {
 
 struct SpeedParams {
-  double speed_m_s = 0.5;          ///< desired speed
-  double creep_m_s = 0.05;         ///< minimum speed of a moving robot
-  double acceleration_m_s2 = 0.3;  ///< also for planned braking
+  double speed_m_s = 0.5;   ///< desired speed
+  double creep_m_s = 0.05;  ///< minimum speed of a moving robot
+  double acceleration_m_s2 = 0.3;
+  double braking_m_s2 = 0.5;  ///< planned; the guard relies on 0.6
   double lateral_acceleration_m_s2 = 0.1;
   double clearance_full_m = 0.15;  ///< clearance from which on the speed is not reduced
   /// Clearance at which the robot creeps, as errors of the path and of the steering take it. The
@@ -24,6 +25,7 @@ struct SpeedParams {
     v("speed_m_s", speed_m_s, above(0.0));
     v("creep_m_s", creep_m_s, above(0.0));
     v("acceleration_m_s2", acceleration_m_s2, above(0.0));
+    v("braking_m_s2", braking_m_s2, above(0.0));
     v("lateral_acceleration_m_s2", lateral_acceleration_m_s2, above(0.0));
     v("clearance_full_m", clearance_full_m, above(0.0));
     v("clearance_creep_m", clearance_creep_m, at_least(0.0));

@@ -169,6 +169,10 @@ Rejoin Retracing::transit(const TraversedPath& path, double length_m) {
   return {PlanGoal::Kind::kRetrace, length_m, path.back(length_m), std::nullopt};
 }
 
+Rejoin Retracing::transit_over_scan(const TraversedPath& path, double length_m) {
+  return {PlanGoal::Kind::kRejoin, length_m, path.back(length_m), std::nullopt};
+}
+
 BackOff Retracing::back_off(const TraversedPath& path, double distance_m,
                             const Maneuver& present) const {
   const auto kind = failed_ ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;

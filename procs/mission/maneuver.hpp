@@ -99,6 +99,9 @@ class Retracing {
       bool ends_at_route_end) const;
   /// Along the traversed path pose by pose, without terrain.
   [[nodiscard]] static Rejoin transit(const TraversedPath& path, double length_m);
+  /// The same after a scan: over its terrain first, then along the traversed path. A path beside
+  /// the traversed one would end the transit, and each further path need a scan.
+  [[nodiscard]] static Rejoin transit_over_scan(const TraversedPath& path, double length_m);
 
   /// `present`: the maneuver that is interrupted.
   [[nodiscard]] BackOff back_off(const TraversedPath& path, double distance_m,

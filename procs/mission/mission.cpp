@@ -252,7 +252,10 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
   const auto& T_odom_body = localization_.T_odom_body();
   const LaserId laser =
       T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser;
-  if (const auto length_m = transit_length_m()) {
+  const double unscanned_m =
+      localization_.traversed_path().distance_travelled_m() - inputs_.terrain_distance_m;
+  target_.lies_back = transit_length_m(0.0).has_value();
+  if (const auto length_m = transit_length_m(unscanned_m)) {
     phase_.laser = laser;
     begin(Retracing::transit(localization_.traversed_path(), *length_m),
           reason + ", back along the traversed path");
@@ -262,14 +265,12 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
 }
 
 /// Where the route follows the traversed path the robot needs no scan, unless one is due or a
-/// rejection must be investigated.
-std::optional<double> Mission::transit_length_m() const {
+/// rejection must be investigated. `unscanned_m`: driven since the last scan.
+std::optional<double> Mission::transit_length_m(double unscanned_m) const {
   const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
   if (target_.is_straight_ahead || recovery_.rejections() > 0 || !has_terrain) return std::nullopt;
-  const TraversedPath& path = localization_.traversed_path();
-  return retracing_.transit_length_m(path, target_.route_odom,
-                                     path.distance_travelled_m() - inputs_.terrain_distance_m,
-                                     home_arrival_.is_end_of_route());
+  return retracing_.transit_length_m(localization_.traversed_path(), target_.route_odom,
+                                     unscanned_m, home_arrival_.is_end_of_route());
 }
 
 /// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
@@ -303,6 +304,8 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
+  const auto length_m = target_.lies_back ? transit_length_m(0.0) : std::nullopt;
+  if (length_m) maneuver_ = Retracing::transit_over_scan(localization_.traversed_path(), *length_m);
 }
 
 void Mission::add_path(const PlannedPath& path) {

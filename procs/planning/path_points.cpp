@@ -46,14 +46,20 @@ double edge_distance_m(const BodyRectangle& rectangle, const Pose2& T_level_body
   return distance_m;
 }
 
-double clearance_m(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
-                   const TerrainMap& terrain) {
-  double distance_m = edge_distance_m(body_outline(vehicle), T_level_body, layers.body_distance_m,
-                                      terrain, kClearanceMaxM);
+double wheel_clearance_m(const Pose2& T_level_body, const Vehicle& vehicle,
+                         const GroundLayers& layers, const TerrainMap& terrain, double max_m) {
+  double distance_m = max_m;
   for (const BodyRectangle& track : wheel_tracks(vehicle)) {
     distance_m = edge_distance_m(track, T_level_body, layers.wheel_distance_m, terrain, distance_m);
   }
   return distance_m;
+}
+
+double clearance_m(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
+                   const TerrainMap& terrain) {
+  const double body_m = edge_distance_m(body_outline(vehicle), T_level_body, layers.body_distance_m,
+                                        terrain, kClearanceMaxM);
+  return wheel_clearance_m(T_level_body, vehicle, layers, terrain, body_m);
 }
 
 /// Width of a tunnel in which the vehicle can turn by π/2 into another one of the same width: its
@@ -121,6 +127,19 @@ std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& s
   add({end.x(), end.y(), headings.angle(pose.heading)}, 0.0,
       !path.steps.empty() && path.steps.back()->reverse, cost);
   return points;
+}
+
+void refine_clearance(PlannedPath& path, double enough_m, const TerrainMap& terrain,
+                      const GroundLayers& layers, const WallDistance& walls,
+                      const Vehicle& vehicle) {
+  const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+  for (PathPoint& point : path.points) {
+    if (point.clearance_m > enough_m) continue;
+    const Pose2 T_level_body = T_level_odom * point.T_odom_body;
+    const double walls_m = walls.clearance_m(T_level_body);
+    const double refined_m = wheel_clearance_m(T_level_body, vehicle, layers, terrain, walls_m);
+    point.clearance_m = std::max(point.clearance_m, refined_m);
+  }
 }
 
 void trim_to_clear_end(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,

@@ -13,6 +13,7 @@
 #include "procs/planning/lattice/lattice.hpp"
 #include "procs/planning/lattice/lattice_search.hpp"
 #include "procs/planning/lattice/motion_primitives.hpp"
+#include "procs/planning/passage/wall_distance.hpp"
 
 namespace adit {
 
@@ -24,6 +25,13 @@ std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& s
                                    const MotionPrimitives& primitives, const HeadingSet& headings,
                                    const TerrainMap& terrain, const GroundLayers& layers,
                                    const Vehicle& vehicle, double spacing_m);
+
+/// The clearance that a drive needs to know, at the resolution of CellParts: cells that a wall
+/// blocks with the regions that overlap it reach up to 0.2 m farther than the wall. Points with
+/// more clearance than `enough_m` stay as they are, others are never reduced.
+void refine_clearance(PlannedPath& path, double enough_m, const TerrainMap& terrain,
+                      const GroundLayers& layers, const WallDistance& walls,
+                      const Vehicle& vehicle);
 
 /// Shortens a path along a route so that the robot can continue from its end: nothing lethal lies
 /// straight ahead of its last pose within the width of the narrowest tunnel in which the vehicle

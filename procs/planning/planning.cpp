@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/planning/planning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -16,6 +17,7 @@ namespace adit {
 namespace {
 
 constexpr double kDefaultCellM = 0.1;
+constexpr double kEnoughM = 0.25;  // of clearance; driving slows down from 0.15 m on
 
 void check(const TerrainMap& terrain) {
   if (terrain.cells.box().empty()) throw std::invalid_argument("the terrain map has no cells");
@@ -142,8 +144,18 @@ PlannedPath Planning::make_path(const LatticePath& found, const LatticePose& sta
     trim_to_clear_end(path, terrain, kernels_->headings(), lattice(CSpace::kLethal), goals,
                       params_.vehicle);
   }
+  if (std::any_of(path.points.begin(), path.points.end(),
+                  [](const PathPoint& point) { return point.clearance_m <= kEnoughM; })) {
+    const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
+    refine_clearance(path, kEnoughM, terrain, ground_->layers, wall_distance(terrain, T_level_body),
+                     params_.vehicle);
+  }
   if (goal.kind == PlanGoal::Kind::kRejoin) append_traversed_path(path, goal);
   return path;
+}
+
+WallDistance Planning::wall_distance(const TerrainMap& terrain, const Pose2& T_level_body) const {
+  return {terrain, ground_->layers, T_level_body, params_.vehicle, params_.c_space.ground};
 }
 
 std::optional<PlannedPath> Planning::passage(const TerrainMap& terrain, const PlanGoal& goal,
@@ -152,10 +164,8 @@ std::optional<PlannedPath> Planning::passage(const TerrainMap& terrain, const Pl
   const bool along = goal.kind == PlanGoal::Kind::kAlong || goal.kind == PlanGoal::Kind::kRoute ||
                      goal.kind == PlanGoal::Kind::kRouteTo;
   if (!along) return std::nullopt;
-  const WallDistance walls(terrain, ground_->layers, T_level_body, params_.vehicle,
-                           params_.c_space.ground);
-  return plan_passage(terrain, walls, goals, T_level_body, is_goal_behind_, params_.vehicle,
-                      params_.passage);
+  return plan_passage(terrain, wall_distance(terrain, T_level_body), goals, T_level_body,
+                      is_goal_behind_, params_.vehicle, params_.passage);
 }
 
 PlannedPath Planning::explain(const TerrainMap& terrain, const Pose2& T_level_body,

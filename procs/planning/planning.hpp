@@ -16,6 +16,7 @@
 #include "procs/planning/lattice/lattice_search.hpp"
 #include "procs/planning/lattice/motion_primitives.hpp"
 #include "procs/planning/passage/passage.hpp"
+#include "procs/planning/passage/wall_distance.hpp"
 
 namespace adit {
 
@@ -89,6 +90,9 @@ class Planning {
   [[nodiscard]] std::optional<PlannedPath> passage(const TerrainMap& terrain, const PlanGoal& goal,
                                                    const GoalField& goals,
                                                    const Pose2& T_level_body) const;
+  /// The walls of the last prepare(), at the resolution of CellParts.
+  [[nodiscard]] WallDistance wall_distance(const TerrainMap& terrain,
+                                           const Pose2& T_level_body) const;
   PlannedPath explain(const TerrainMap& terrain, const Pose2& T_level_body,
                       const LatticePose& start, const GoalField& goals);
 

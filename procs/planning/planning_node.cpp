@@ -47,9 +47,13 @@ void PlanningNode::try_plan() {
   if (goal_->kind == PlanGoal::Kind::kRetrace) {
     publish(bus_, channels::kPath, to_message(retraced()));
   } else if (terrain_) {
-    const PlannedPath path = plan();
+    PlannedPath path = plan();
     // The part of a rejoin along the traversed path is not over a scan.
-    if (goal_->kind != PlanGoal::Kind::kRejoin) clearance_.add_path(path);
+    if (goal_->kind == PlanGoal::Kind::kRejoin) {
+      clearance_.apply(path);
+    } else {
+      clearance_.add_path(path);
+    }
     publish(bus_, channels::kPath, to_message(path));
     release_memory();
   } else {

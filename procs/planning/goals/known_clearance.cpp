@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procs/planning/goals/retrace.hpp"
+
 namespace adit {
 namespace {
 
@@ -66,6 +68,7 @@ std::optional<double> KnownClearance::at(const Pose2& T_odom_body) const {
 
 void KnownClearance::apply(PlannedPath& path) const {
   for (PathPoint& point : path.points) {
+    if (point.clearance_m != kRetracedClearanceM) continue;
     point.clearance_m = at(point.T_odom_body).value_or(point.clearance_m);
   }
 }

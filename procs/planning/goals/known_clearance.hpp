@@ -26,7 +26,8 @@ class KnownClearance {
 
   /// The least clearance of planned points at this pose, in either direction of travel [m].
   [[nodiscard]] std::optional<double> at(const Pose2& T_odom_body) const;
-  /// Sets the clearance of the points of a path where it is known.
+  /// Sets the clearance of the points of a path along the traversed path (kRetracedClearanceM)
+  /// where it is known; points that were planned over a scan keep theirs.
   void apply(PlannedPath& path) const;
 
  private:

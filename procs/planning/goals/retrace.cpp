@@ -11,8 +11,6 @@ namespace adit {
 namespace {
 
 constexpr double kLengthMinM = 0.5;
-// Unknown here, therefore small: the robot drives slowly unless KnownClearance shows more.
-constexpr double kClearanceM = 0.1;
 constexpr double kPoseSpacingM = 0.05;  // closer poses do not define the direction of travel
 constexpr double kGapM = 0.5;           // maximum distance of consecutive poses
 
@@ -47,7 +45,7 @@ PathPoint segment_point(const Pose2& T_odom_body, const Pose2& T_odom_next, doub
   const Pose2 step = between(T_odom_body, T_odom_next);
   const bool reverse = step.x < 0.0;
   const double curvature = step.theta / step.translation().norm() * (reverse ? -1.0 : 1.0);
-  return {T_odom_body, curvature, reverse, kClearanceM, cost};
+  return {T_odom_body, curvature, reverse, kRetracedClearanceM, cost};
 }
 
 /// Appends poses; the first one is the end of the path so far, or its start.
@@ -56,7 +54,7 @@ void append(std::vector<PathPoint>& points, const Poses& poses, double cost) {
     points.push_back(segment_point(poses[i], poses[i + 1], cost));
     cost += distance_between(poses[i], poses[i + 1]);
   }
-  points.push_back({poses.back(), 0.0, points.back().reverse, kClearanceM, cost});
+  points.push_back({poses.back(), 0.0, points.back().reverse, kRetracedClearanceM, cost});
 }
 
 }  // namespace

@@ -19,6 +19,10 @@ PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body);
 inline constexpr double kOnPathM = 0.1;
 inline constexpr double kOnPathRad = 0.1;
 
+/// Clearance of points along the traversed path, where it is unknown: small, so that the robot
+/// drives slowly unless KnownClearance shows more.
+inline constexpr double kRetracedClearanceM = 0.1;
+
 /// Extends a path that ends on the traversed path along it, as `retrace` does, from the last of its
 /// poses that the end of the path is on.
 void append_traversed_path(PlannedPath& path, const PlanGoal& goal);

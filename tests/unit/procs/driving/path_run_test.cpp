@@ -50,7 +50,7 @@ TEST(SplitIntoRuns, YieldsARunOfZeroLengthFromOnePoint) {
   EXPECT_EQ(runs[0].at(0.0), Pose2{});
   EXPECT_EQ(runs[0].nearest_s_m({1.0, 1.0}, 0.0, 0.5), 0.0);
   EXPECT_EQ(runs[0].curvature_1_m(0.0, 1.0), 0.0);
-  EXPECT_EQ(blended(runs[0], 0.5).length_m(), 0.0);
+  EXPECT_EQ(blended(runs[0], 0.5, 0.5, 0.15).length_m(), 0.0);
 }
 
 TEST(PathRun, HasTheCurvatureOfThePathInBothDirections) {
@@ -96,7 +96,8 @@ TEST(SteeredPoint, RejectsATurningRadiusOfHalfTheWheelbase) {
 TEST(BlendedRun, HasARampInsteadOfAJumpOfTheCurvature) {
   const double jump = 0.5;
   const PathRun run =
-      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(2.0).forward(2.0, jump).path()), 0.5);
+      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(2.0).forward(2.0, jump).path()), 0.5,
+              0.5, 0.15);
   for (const double s_m : {1.8, 1.9, 2.0, 2.1, 2.2}) {
     const double ramp = jump * (s_m - 1.75) / 0.5;
     EXPECT_NEAR(run.curvature_1_m(s_m - 0.05, s_m + 0.05), ramp, 0.02);  // knots 5 cm apart
@@ -106,14 +107,28 @@ TEST(BlendedRun, HasARampInsteadOfAJumpOfTheCurvature) {
 
 TEST(BlendedRun, CutsABendByTheDocumentedAmount) {
   const PathRun run =
-      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(6.0, 0.5).path()), 0.5);
+      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(6.0, 0.5).path()), 0.5, 0.5, 0.15);
   const double radius = (run.at(3.0).translation() - Eigen::Vector2d(0.0, 2.0)).norm();
   EXPECT_NEAR(2.0 - radius, 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // spacing of the knots
 }
 
+TEST(BlendedRun, IsWiderWhereWallsAreFar) {
+  PlannedPath path = TestPathBuilder({}, {}, 0.01).forward(8.0, 0.5).path();
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    path.points[i].clearance_m = i < path.points.size() / 2 ? 0.15 : 0.2;
+  const PathRun run = blended(only_run(path), 0.5, 1.0, 0.15);
+  const auto cut_m = [&](double s_m) {
+    return 2.0 - (run.at(s_m).translation() - Eigen::Vector2d(0.0, 2.0)).norm();
+  };
+  EXPECT_NEAR(cut_m(3.0), 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // spacing of the knots
+  EXPECT_NEAR(cut_m(6.0), 0.5 * 1.0 * 1.0 / 24.0, 5e-4);  // 17 samples of the mean
+  for (double s_m = 2.0; s_m < 7.0; s_m += 0.05)          // the cut changes by 1.6 cm over a metre
+    EXPECT_NEAR(run.curvature_1_m(s_m - 0.05, s_m + 0.05), 0.5, 0.06) << s_m;
+}
+
 TEST(BlendedRun, KeepsTheEndsOfTheRun) {
   const PathRun raw = only_run(TestPathBuilder({}).forward(1.0, 0.6).forward(1.0, -0.6).path());
-  const PathRun run = blended(raw, 0.5);
+  const PathRun run = blended(raw, 0.5, 1.0, 0.15);
   for (const auto& [a, b] : {std::pair{raw.at(0.0), run.at(0.0)},
                              std::pair{raw.at(raw.length_m()), run.at(run.length_m())}}) {
     EXPECT_NEAR(between(a, b).vector().norm(), 0.0, 1e-9);

@@ -59,7 +59,15 @@ TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
   arrive();
   reach_m_ = -12.0;
   answer(Kind::kHome);
-  EXPECT_EQ(now(), Phase::kScan);
+  ASSERT_EQ(now(), Phase::kScan);
+  terrain();
+  ASSERT_EQ(now(), Phase::kPlan);
+  tick();
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);  // and continues along the traversed path
+  ASSERT_FALSE(goal_.traversed_path_odom.empty());
+  const Eigen::Vector2d back = goal_.traversed_path_odom.back().translation() -
+                               goal_.traversed_path_odom.front().translation();
+  EXPECT_NEAR(back.norm(), 12.0 - 1.5, 0.7);  // no pose beyond the end of the route
 }
 
 }  // namespace

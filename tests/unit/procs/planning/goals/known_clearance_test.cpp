@@ -43,6 +43,15 @@ TEST(KnownClearance, IsThatOfThePlannedPath) {
   }
 }
 
+TEST(KnownClearance, IsNotThatOfPointsOverAScan) {
+  KnownClearance known;
+  known.add_path(planned(0.0, 5.0));
+  PlannedPath path = planned(0.0, 5.0);
+  for (PathPoint& point : path.points) point.clearance_m = 0.04;
+  known.apply(path);
+  for (const PathPoint& point : path.points) EXPECT_EQ(point.clearance_m, 0.04);
+}
+
 TEST(KnownClearance, StaysSmallWhereNoPathWasPlanned) {
   KnownClearance known;
   known.add_path(planned(4.0, 8.0));

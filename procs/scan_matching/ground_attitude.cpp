@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "common/geometry/symmetric_solve.hpp"
 #include "common/grid/grid2.hpp"
 
 namespace adit {
@@ -21,9 +23,33 @@ constexpr double kPlanSdM = 0.1;        // of the planar motion between two scan
 constexpr double kHeadingSd = 0.02;
 constexpr double kGateM = 0.3;  // the ground of another level is farther away
 
+// A terrain map is moved onto remembered ground.
+constexpr double kMatchedSdM = 0.03;  // of a 3D scan that was matched to the one before
+constexpr double kMatchedSd = 0.01;
+constexpr double kCellVariance = 0.03 * 0.03;
+constexpr double kCellsPerMeasurement = 25.0;  // neighbouring cells have common errors
+constexpr double kKernelM = 0.1;
+constexpr int kIterations = 3;
+
 std::uint64_t ground_cell_key(const Eigen::Vector2i& cell) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y())) << 32U) |
          static_cast<std::uint32_t>(cell.x());
+}
+
+/// The ground of a terrain map near its scan: points in level.
+std::vector<Eigen::Vector3d> ground_points(const TerrainMap& terrain) {
+  std::vector<Eigen::Vector3d> points;
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      const TerrainCell& cell = terrain.cells.at({column, row});
+      if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) continue;
+      if (!(cell.coefficient_m < kPassableM)) continue;
+      const Eigen::Vector2d p = terrain.centre(column, row);
+      if (p.norm() > kGroundRangeM) continue;
+      points.emplace_back(p.x(), p.y(), static_cast<double>(cell.low_m));
+    }
+  }
+  return points;
 }
 
 Eigen::Vector2d slope_of(const Eigen::Vector3d& up) { return up.head<2>() / up.z(); }
@@ -80,19 +106,52 @@ GroundAttitude::Level GroundAttitude::add(const TerrainMap& terrain, double z_od
     level = {last_->z_odom_m, slope_of(last_->up_level)};
   }
   if (!plane_) return level;
-  for (int row = 0; row < terrain.cells.rows(); ++row) {
-    for (int column = 0; column < terrain.cells.columns(); ++column) {
-      const TerrainCell& cell = terrain.cells.at({column, row});
-      if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) continue;
-      if (!(cell.coefficient_m < kPassableM)) continue;
-      const Eigen::Vector2d p = terrain.centre(column, row);
-      if (p.norm() > kGroundRangeM) continue;
-      const double z_m = level.z_odom_m + static_cast<double>(cell.low_m) + level.slope.dot(p);
-      ground_m_[ground_cell_key(cell_of(terrain.T_odom_level * p, kCellM))] =
-          static_cast<float>(z_m);
-    }
+  const std::vector<Eigen::Vector3d> points = ground_points(terrain);
+  if (last_ && last_->utime == terrain.utime) {
+    const Eigen::Vector3d correction = to_remembered(points, terrain.T_odom_level, level);
+    level.z_odom_m += correction[0];
+    level.slope += correction.tail<2>();
+    last_->z_odom_m = level.z_odom_m;
+    last_->up_level = Eigen::Vector3d(level.slope.x(), level.slope.y(), 1.0).normalized();
+    plane_->state[0] = level.z_odom_m;
+    plane_->state.tail<2>() +=
+        Eigen::Rotation2Dd(terrain.T_odom_level.theta) * Eigen::Vector2d(correction.tail<2>());
+  }
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector2i cell =
+        cell_of(terrain.T_odom_level * Eigen::Vector2d(p.head<2>()), kCellM);
+    ground_m_[ground_cell_key(cell)] =
+        static_cast<float>(level.z_odom_m + p.z() + level.slope.dot(p.head<2>()));
   }
   return level;
+}
+
+/// Height and slope that move a terrain map onto the ground that earlier ones showed, with what the
+/// match of the 3D scans left uncertain as their prior: least squares with a robust kernel.
+Eigen::Vector3d GroundAttitude::to_remembered(const std::vector<Eigen::Vector3d>& points,
+                                              const Pose2& T_odom_level, const Level& level) const {
+  Eigen::Vector3d correction = Eigen::Vector3d::Zero();
+  const Eigen::Matrix3d prior =
+      Eigen::Vector3d(kMatchedSdM, kMatchedSd, kMatchedSd).cwiseAbs2().cwiseInverse().asDiagonal();
+  for (int i = 0; i < kIterations; ++i) {
+    Eigen::Matrix3d A = prior;
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& p : points) {
+      const auto found = ground_m_.find(
+          ground_cell_key(cell_of(T_odom_level * Eigen::Vector2d(p.head<2>()), kCellM)));
+      if (found == ground_m_.end()) continue;
+      const double z_m = level.z_odom_m + p.z() + level.slope.dot(p.head<2>());
+      const double higher_m = static_cast<double>(found->second) - z_m;
+      const Eigen::Vector3d J(1.0, p.x(), p.y());
+      const double residual_m = higher_m - J.dot(correction);
+      const double kernel = kKernelM * kKernelM / (kKernelM * kKernelM + residual_m * residual_m);
+      const double weight = kernel * kernel / (kCellVariance * kCellsPerMeasurement);
+      A += weight * J * J.transpose();
+      b += weight * higher_m * J;
+    }
+    correction = solve_symmetric(A, b);
+  }
+  return correction;
 }
 
 void GroundAttitude::drive(const Pose2& T_odom_body) {

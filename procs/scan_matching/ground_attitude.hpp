@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -55,7 +56,8 @@ class GroundAttitude {
   /// A 3D scan from where the body stands at this height, levelled by attitude(). Corrects attitude
   /// and height.
   void add(const Cloud& cloud, double z_odom_m);
-  /// The terrain map of a 3D scan; returns where it lies.
+  /// The terrain map of a 3D scan; corrects attitude and height by the ground that is remembered,
+  /// and returns where the map lies.
   Level add(const TerrainMap& terrain, double z_odom_m);
   /// The pose of the body after a step of about 0.1 m.
   void drive(const Pose2& T_odom_body);
@@ -83,6 +85,8 @@ class GroundAttitude {
   };
 
   void match(PlacedCloud& cloud) const;
+  [[nodiscard]] Eigen::Vector3d to_remembered(const std::vector<Eigen::Vector3d>& points,
+                                              const Pose2& T_odom_level, const Level& level) const;
   [[nodiscard]] std::optional<double> ground_m(const Eigen::Vector2d& p_odom) const;
 
   GroundAttitudeParams params_;

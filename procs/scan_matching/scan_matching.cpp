@@ -123,6 +123,7 @@ void ScanMatching::add(const Cloud& cloud) {
 void ScanMatching::add(TerrainMap terrain) {
   // The robot stands from the end of the sweep until the map is used.
   const GroundAttitude::Level level = ground_attitude_.add(terrain, z_m_);
+  if (!attitude_.attitude()) z_m_ = ground_attitude_.z_odom_m().value_or(z_m_);
   ground_.add(std::move(terrain), level.z_odom_m, level.slope);
 }
 

@@ -51,9 +51,9 @@ TEST(GroundAttitude, IsThatOfTheGroundUnderTheWheels) {
   GroundAttitude attitude{GroundAttitudeParams{}, Vehicle{}};
   attitude.add(empty_cloud(), 0.5);
   attitude.add(ramp_terrain(), 0.5);
-  for (double x_m = 0.0; x_m < 3.0; x_m += kStepM) attitude.drive({x_m, 0.0, 0.0});
+  for (int i = 0; i < 30; ++i) attitude.drive({i * kStepM, 0.0, 0.0});
   EXPECT_NEAR(attitude.attitude(0.0)->pitch_rad, 0.0, 0.002);
-  for (double x_m = 3.0; x_m < 8.0; x_m += kStepM) attitude.drive({x_m, 0.0, 0.0});
+  for (int i = 30; i < 80; ++i) attitude.drive({i * kStepM, 0.0, 0.0});
   // Half a cell over the wheelbase, averaged over nine cells: 0.2 · 0.05 / 1.5.
   EXPECT_NEAR(attitude.attitude(0.0)->pitch_rad, -std::atan(kGrade), 0.007);
   EXPECT_NEAR(attitude.attitude(0.0)->roll_rad, 0.0, 0.002);
@@ -62,7 +62,7 @@ TEST(GroundAttitude, IsThatOfTheGroundUnderTheWheels) {
   attitude.drive({7.9, 0.0, 3.14159});
   EXPECT_NEAR(attitude.attitude(3.14159)->pitch_rad, std::atan(kGrade), 0.007);
   EXPECT_NEAR(attitude.attitude(1.5708)->roll_rad, -std::atan(kGrade), 0.007);
-  for (double x_m = 7.9; x_m > 1.0; x_m -= kStepM) attitude.drive({x_m, 0.0, 3.14159});
+  for (int i = 79; i > 10; --i) attitude.drive({i * kStepM, 0.0, 3.14159});
   EXPECT_NEAR(attitude.attitude(3.14159)->pitch_rad, 0.0, 0.002);
   EXPECT_NEAR(*attitude.z_odom_m(), 0.5, 0.02);
 }

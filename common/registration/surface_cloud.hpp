@@ -12,7 +12,7 @@
 
 namespace adit {
 
-/// A piece of a surface of a 3D scan, in its frame level [m].
+/// A small part of a surface of a 3D scan, in its frame level [m].
 struct SurfacePatch {
   Eigen::Vector3d p;       ///< mean of the points of a voxel
   Eigen::Vector3d normal;  ///< unit vector, towards the laser

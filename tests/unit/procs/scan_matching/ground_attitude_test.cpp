@@ -58,7 +58,7 @@ TEST(GroundAttitude, IsThatOfTheGroundUnderTheWheels) {
   EXPECT_NEAR(attitude.attitude(0.0)->pitch_rad, -std::atan(kGrade), 0.007);
   EXPECT_NEAR(attitude.attitude(0.0)->roll_rad, 0.0, 0.002);
   EXPECT_NEAR(*attitude.z_odom_m(), 0.5 + ramp_m(7.9), 0.02);
-  // On the way back the slope falls, and across it the body rolls.
+  // On the return path the slope falls, and across it the body rolls.
   attitude.drive({7.9, 0.0, 3.14159});
   EXPECT_NEAR(attitude.attitude(3.14159)->pitch_rad, std::atan(kGrade), 0.007);
   EXPECT_NEAR(attitude.attitude(1.5708)->roll_rad, -std::atan(kGrade), 0.007);

@@ -16,4 +16,9 @@ SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& matrix) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+SymmetricEigen<6> symmetric_eigen(const Eigen::Matrix<double, 6, 6>& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 }  // namespace adit

@@ -17,5 +17,6 @@ struct SymmetricEigen {
 /// once: Eigen's solver takes the compiler several seconds in each source that uses it.
 SymmetricEigen<2> symmetric_eigen(const Eigen::Matrix2d& matrix);
 SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& matrix);
+SymmetricEigen<6> symmetric_eigen(const Eigen::Matrix<double, 6, 6>& matrix);
 
 }  // namespace adit

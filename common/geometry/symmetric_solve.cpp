@@ -14,6 +14,11 @@ Eigen::Vector3d solve_symmetric(const Eigen::Matrix3d& A, const Eigen::Vector3d&
   return A.ldlt().solve(b);
 }
 
+Eigen::Matrix<double, 6, 1> solve_symmetric(const Eigen::Matrix<double, 6, 6>& A,
+                                            const Eigen::Matrix<double, 6, 1>& b) {
+  return A.ldlt().solve(b);
+}
+
 Eigen::Matrix3d solve_symmetric(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B) {
   return A.ldlt().solve(B);
 }

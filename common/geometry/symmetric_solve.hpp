@@ -11,6 +11,8 @@ namespace adit {
 /// source that uses it.
 Eigen::Vector2d solve_symmetric(const Eigen::Matrix2d& A, const Eigen::Vector2d& b);
 Eigen::Vector3d solve_symmetric(const Eigen::Matrix3d& A, const Eigen::Vector3d& b);
+Eigen::Matrix<double, 6, 1> solve_symmetric(const Eigen::Matrix<double, 6, 6>& A,
+                                            const Eigen::Matrix<double, 6, 1>& b);
 Eigen::Matrix3d solve_symmetric(const Eigen::Matrix3d& A, const Eigen::Matrix3d& B);
 
 }  // namespace adit

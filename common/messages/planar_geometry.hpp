@@ -56,17 +56,18 @@ constexpr const char* kInvalidInformation = "invalid information matrix";
 constexpr const char* kImplausibleAttitude = "roll or pitch beyond 60 degrees";
 inline constexpr double kAttitudeMaxRad = deg_to_rad(60.0);
 
-/// Fields has_attitude, roll_rad and pitch_rad of a message.
+/// Fields has_attitude, roll_rad and pitch_rad of a message. `from_ground`: not measured by an IMU.
 template <class Message>
-void set_attitude(const std::optional<Attitude>& attitude, Message& message) {
-  message.has_attitude = static_cast<std::int8_t>(attitude.has_value());
+void set_attitude(const std::optional<Attitude>& attitude, bool from_ground, Message& message) {
+  message.has_attitude = static_cast<std::int8_t>(attitude.has_value() && !from_ground);
   message.roll_rad = attitude ? attitude->roll_rad : 0.0;
   message.pitch_rad = attitude ? attitude->pitch_rad : 0.0;
 }
 template <class Message>
 std::optional<Attitude> attitude_from(const Message& message) {
-  if (message.has_attitude == 0) return std::nullopt;
-  return Attitude{message.roll_rad, message.pitch_rad};
+  const Attitude attitude{message.roll_rad, message.pitch_rad};
+  if (message.has_attitude == 0 && attitude.is_level()) return std::nullopt;
+  return attitude;
 }
 /// Whether the angles are those of a vehicle that stands on its wheels.
 template <class Message>

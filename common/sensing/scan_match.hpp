@@ -43,8 +43,11 @@ struct ScanMatch {
   Pose2 T_odom_body;
   Pose2 T_reference_body;  ///< motion since `reference_utime`
 
-  std::optional<Attitude> attitude;  ///< against gravity; nothing without an IMU
-  double z_m = 0.0;                  ///< height of the body in odom, by its motion along its pitch
+  /// Against gravity: by the IMU, without one by the ground that 3D scans showed; nothing if
+  /// unknown.
+  std::optional<Attitude> attitude;
+  bool attitude_from_ground = false;
+  double z_m = 0.0;  ///< height of the body in odom, by its motion along its pitch
   /// Beams of the scan that hit the ground or the roof, not a wall, in increasing order.
   std::vector<std::int32_t> ground_beams;
   /// Beams that hit what may be ground or roof, though no 3D scan shows whether, in increasing

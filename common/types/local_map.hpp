@@ -21,9 +21,10 @@ struct LocalScan {
   LaserScan scan;       ///< 0 for beams that hit the ground or the roof
   Pose2 T_local_body;
   double z_m = 0.0;  ///< height of the body above that of the first scan
-  /// Of the body against gravity; nothing without an IMU.
+  /// Of the body against gravity, as in ScanMatch.
   std::optional<Attitude> attitude = {};
   std::vector<std::int32_t> unconfirmed_beams = {};  ///< as in ScanMatch
+  bool attitude_from_ground = false;                 ///< as in ScanMatch
 
   friend bool operator==(const LocalScan&, const LocalScan&) = default;
 };

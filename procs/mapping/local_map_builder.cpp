@@ -101,9 +101,13 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
     map_.z_odom_m = match.z_m;
   }
   const Pose2 T_local_body = map_.scans.empty() ? Pose2{} : between(map_.T_odom_local, T_odom_body);
-  LocalScan stored{channel,        scan,
-                   T_local_body,   match.z_m - map_.z_odom_m,
-                   match.attitude, match.unconfirmed_beams};
+  LocalScan stored{channel,
+                   scan,
+                   T_local_body,
+                   match.z_m - map_.z_odom_m,
+                   match.attitude,
+                   match.unconfirmed_beams,
+                   match.attitude_from_ground};
   for (const std::int32_t beam : match.ground_beams) {
     const auto i = static_cast<std::size_t>(beam);
     if (i < stored.scan.ranges_m.size()) stored.scan.ranges_m[i] = 0.0F;

@@ -44,10 +44,13 @@ HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& befor
   }
   const double length_m =
       std::max(std::abs(map.forward_m), map.T_previous_local.translation().norm());
-  const bool has_attitude = !before.scans.empty() && before.scans.back().attitude.has_value();
-  const double drift = has_attitude ? params_.drift_per_m : params_.slope_max;
-  climb.sd_m = std::hypot(params_.floor_m, drift * length_m);
+  climb.sd_m = std::hypot(params_.floor_m, drift_per_m(before) * length_m);
   return climb;
+}
+
+double MapHeights::drift_per_m(const LocalMap& map) const {
+  if (map.scans.empty() || !map.scans.back().attitude) return params_.slope_max;
+  return map.scans.back().attitude_from_ground ? params_.ground_drift_per_m : params_.drift_per_m;
 }
 
 const GroundOffset& MapHeights::offset_at(const PoseConstraint& loop_closure,

@@ -19,9 +19,10 @@
 namespace adit {
 
 struct MapHeightsParams {
-  double floor_m = 0.005;       ///< minimum standard deviation of the climb of a local map,
-  double drift_per_m = 0.002;   ///< and its growth with the distance travelled
-  double slope_max = 0.35;      ///< of ground; without an IMU the climb is unknown up to this
+  double floor_m = 0.005;            ///< minimum standard deviation of the climb of a local map,
+  double drift_per_m = 0.002;        ///< and its growth with the distance travelled
+  double ground_drift_per_m = 0.02;  ///< without an IMU, by the ground that 3D scans showed
+  double slope_max = 0.35;  ///< of ground; with unknown attitude the climb is unknown up to this
   double pitch_sd_rad = 0.005;  ///< of the constant pitch error of a session
   double ground_sd_m = 0.02;    ///< of the ground at a place where two local maps meet,
   double ground_slope = 0.2;    ///< and its growth with the distance between their paths
@@ -31,6 +32,7 @@ struct MapHeightsParams {
   void visit(V& v) {
     v("floor_m", floor_m, above(0.0));
     v("drift_per_m", drift_per_m, at_least(0.0));
+    v("ground_drift_per_m", ground_drift_per_m, at_least(0.0));
     v("slope_max", slope_max, above(0.0));
     v("pitch_sd_rad", pitch_sd_rad, above(0.0));
     v("ground_sd_m", ground_sd_m, above(0.0));
@@ -63,6 +65,7 @@ class MapHeights {
                                 const std::vector<LocalWalls>& walls) const;
 
  private:
+  [[nodiscard]] double drift_per_m(const LocalMap& map) const;
   [[nodiscard]] HeightConstraint climb_of(const LocalMap& map, const LocalMap& before) const;
   [[nodiscard]] const GroundOffset& offset_at(const PoseConstraint& loop_closure,
                                               const std::vector<LocalWalls>& walls);

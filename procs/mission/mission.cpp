@@ -399,7 +399,8 @@ void Mission::add_match(const ScanMatch& match) {
                       inputs_.driving->kind == DrivingState::Kind::kDriving;
   limits_.add(match, drives);
   slope_ = match.attitude ? ground_slope(*match.attitude).norm() : 0.0;
-  if (!match.attitude) unlevelled_m_ += match.T_reference_body.translation().norm();
+  if (!match.attitude || match.attitude_from_ground)
+    unlevelled_m_ += match.T_reference_body.translation().norm();
   const OdomChange change = localization_.set_odom_epoch(match.odom_epoch_utime);
   if (change == OdomChange::kNone) return;
   progress_.reset_odom();

@@ -82,9 +82,10 @@ bool ScanAssembly::add(LaserId laser, const TiltReading& reading) {
   return true;
 }
 
-bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m) {
+bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m,
+                       const Attitude& attitude) {
   if (!T_odom_body.vector().allFinite() || !std::isfinite(z_odom_m)) return false;
-  last_pose_ = {utime, T_odom_body, z_odom_m};
+  last_pose_ = {utime, T_odom_body, z_odom_m, attitude};
   if (sweep_.phase() == Phase::kIdle || !T_odom_body_.add(utime, T_odom_body)) return false;
   return z_odom_m_.add(utime, z_odom_m);
 }
@@ -142,8 +143,9 @@ std::optional<Cloud> ScanAssembly::abort_sweep(const std::string& reason) {
 void ScanAssembly::start_lines() {
   scans_.clear();
   first_line_utime_ = tilt_rad_.end_utime();
-  up_body_ = gravity_.up_body();
-  if (!up_body_) problem_ = "no IMU readings at rest: the body is assumed level";
+  const auto measured = gravity_.up_body();
+  up_body_ = measured.value_or(last_pose_->attitude.up_body());
+  if (!measured) problem_ = "no IMU readings at rest: levelled by the attitude of the pose";
 }
 
 const LaserMount& ScanAssembly::mount() const {
@@ -158,10 +160,9 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   cloud.complete = complete;
   cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
   cloud.z_odom_m = z_odom_m_.at(cloud.utime).value();
-  const Eigen::Vector3d up_body = up_body_.value_or(Eigen::Vector3d::UnitZ());
   const BeamPlacement placement(
       mount(), params_.timing,
-      {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body)});
+      {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body_)});
 
   RangeImage image = range_image(scans_, mount());
   const int turns = params_.timing.turns(scans_.front().angle_step_rad);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/attitude.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
@@ -70,7 +71,8 @@ class ScanAssembly {
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
   bool add(const ImuReading& reading) { return gravity_.add(reading); }
-  bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m);
+  bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m,
+           const Attitude& attitude = {});
 
   /// Must be called at least ten times per second. A sweep ends with a cloud. An aborted sweep
   /// (timeout, stale sensor, motion of the robot) ends with an incomplete cloud, or with none if
@@ -102,7 +104,7 @@ class ScanAssembly {
   InterpolationBuffer<double> tilt_rad_;
   InterpolationBuffer<Pose2> T_odom_body_;
   InterpolationBuffer<double> z_odom_m_;  ///< of the body
-  std::optional<Eigen::Vector3d> up_body_;
+  Eigen::Vector3d up_body_ = Eigen::Vector3d::UnitZ();
   Pose2 T_odom_begin_;
   std::int64_t first_line_utime_ = 0;  ///< the laser approached the start before it
   std::int64_t begin_utime_ = 0;       ///< bus time of the request
@@ -115,6 +117,7 @@ class ScanAssembly {
     std::int64_t utime = 0;
     Pose2 T_odom_body;
     double z_odom_m = 0.0;
+    Attitude attitude;
   };
   std::optional<LastPose> last_pose_;
 };

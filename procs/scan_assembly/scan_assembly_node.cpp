@@ -35,7 +35,7 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
       bus, channels::kScanRequest, Delivery::queued(kRequestQueueSize),
       [this](const ScanRequest& request) { scan_assembly_.begin(request, bus_.now_utime()); });
   subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
-    scan_assembly_.add(pose.utime, pose.T_odom_body, pose.z_m);
+    scan_assembly_.add(pose.utime, pose.T_odom_body, pose.z_m, pose.attitude);
   });
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_assembly_.add(reading); });

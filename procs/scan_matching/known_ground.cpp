@@ -54,10 +54,11 @@ bool has_slope(const TerrainMap& terrain) {
 
 }  // namespace
 
-void KnownGround::add(TerrainMap terrain, double z_odom_level_m) {
+void KnownGround::add(TerrainMap terrain, double z_odom_level_m,
+                      const Eigen::Vector2d& slope_level) {
   shows_slope_ |= has_slope(terrain);
   const Pose2 T_level_odom = terrain.T_odom_level.inverse();
-  terrains_.push_front({std::move(terrain), z_odom_level_m, T_level_odom});
+  terrains_.push_front({std::move(terrain), z_odom_level_m, slope_level, T_level_odom});
   if (terrains_.size() > kTerrains) terrains_.pop_back();
 }
 
@@ -75,10 +76,11 @@ KnownGround::Surface KnownGround::surface_at(const Eigen::Vector2d& p_odom, doub
                                              double range_m) const {
   const double near_m = kNearM + kNearShare * range_m;
   for (const PlacedTerrain& placed : terrains_) {
-    const Eigen::Vector2d p = placed.T_level_odom * p_odom - placed.map.p_level_corner;
-    const Eigen::Vector2i cell = cell_of(p, placed.map.cell_m);
+    const Eigen::Vector2d p_level = placed.T_level_odom * p_odom;
+    const Eigen::Vector2i cell = placed.map.cell_at(p_level);
     if (!placed.map.cells.contains(cell)) continue;
-    const Surface surface = surface_in(placed.map.cells.at(cell), z_odom_m - placed.z_m, near_m);
+    const double z_level_m = z_odom_m - placed.z_m - placed.slope.dot(p_level);
+    const Surface surface = surface_in(placed.map.cells.at(cell), z_level_m, near_m);
     if (surface != Surface::kUnknown) return surface;
   }
   const auto driven = driven_z_m_.find(key(cell_of(p_odom, kDrivenCellM)));

@@ -20,8 +20,10 @@ class KnownGround {
  public:
   enum class Surface { kUnknown, kWall, kGround, kRoof };
 
-  /// `z_odom_level_m`: height of the origin of the map's frame.
-  void add(TerrainMap terrain, double z_odom_level_m);
+  /// `z_odom_level_m`: height of the origin of the map's frame, `slope_level`: its rise along the
+  /// axes of that frame [m/m].
+  void add(TerrainMap terrain, double z_odom_level_m,
+           const Eigen::Vector2d& slope_level = Eigen::Vector2d::Zero());
   /// The ground under the body.
   void add(const Eigen::Vector2d& p_odom, double z_odom_m);
   void clear();
@@ -38,6 +40,7 @@ class KnownGround {
   struct PlacedTerrain {
     TerrainMap map;
     double z_m = 0.0;
+    Eigen::Vector2d slope;
     Pose2 T_level_odom;
   };
 

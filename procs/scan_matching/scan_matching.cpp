@@ -66,6 +66,7 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
 }
 
 constexpr double kUnknownPitchSd = 0.05;
+constexpr double kGroundPitchSd = 0.02;  // of the ground that 3D scans showed
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
@@ -93,6 +94,7 @@ ScanMatching::ScanMatching(const ScanMatchingParams& params)
     : params_(params),
       motion_(params.motion),
       attitude_(params.attitude),
+      ground_attitude_(params.ground_attitude, params.vehicle),
       reference_(params.reference),
       disagreement_(params.disagreement),
       search_(params.search),
@@ -110,9 +112,26 @@ bool ScanMatching::add(const ImuReading& reading) {
   return motion_.add(reading);
 }
 
+void ScanMatching::add(const Cloud& cloud) {
+  if (attitude_.attitude()) {
+    ground_attitude_.clear();
+    return;
+  }
+  ground_attitude_.add(cloud, z_m_);
+  z_m_ = ground_attitude_.z_odom_m().value_or(z_m_);
+}
+
 void ScanMatching::add(TerrainMap terrain) {
   // The robot stands from the end of the sweep until the map is used.
-  ground_.add(std::move(terrain), z_m_);
+  const GroundAttitude::Level level = ground_attitude_.add(terrain, z_m_);
+  if (!attitude_.attitude()) z_m_ = ground_attitude_.z_odom_m().value_or(z_m_);
+  ground_.add(std::move(terrain), level.z_odom_m, level.slope);
+}
+
+/// Against gravity by the IMU; without one by the ground that 3D scans showed.
+std::optional<Attitude> ScanMatching::attitude() const {
+  if (const auto measured = attitude_.attitude()) return measured;
+  return ground_attitude_.attitude(T_odom_body_.theta);
 }
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
@@ -151,7 +170,8 @@ ScanMatch ScanMatching::rejected(std::int64_t utime) const {
   match.reference_utime = utime_;
   match.odom_epoch_utime = odom_epoch_utime_;
   match.T_odom_body = T_odom_body_;
-  match.attitude = attitude_.attitude();
+  match.attitude = attitude();
+  match.attitude_from_ground = match.attitude && !attitude_.attitude();
   match.z_m = z_m_;
   return match;
 }
@@ -189,13 +209,14 @@ bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
 ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
                                       const Pose2& T_odom_expected) const {
   const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
-  const Attitude attitude = attitude_.attitude().value_or(Attitude{});
+  const std::optional<Attitude> known = this->attitude();
+  const Attitude attitude = known.value_or(Attitude{});
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
   std::vector<SurfacePoint> walls;
   walls.reserve(points.size());
   std::vector<std::int32_t> ground_beams;
   // Without an IMU ground is taken for level until a 3D scan shows that it is not.
-  const bool ground_may_slope = attitude_.attitude() || ground_.shows_slope();
+  const bool ground_may_slope = known || ground_.shows_slope();
   for (SurfacePoint& point : points) {
     using Surface = KnownGround::Surface;
     const Surface surface =
@@ -207,7 +228,7 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
       continue;
     }
     if (ground_may_slope && is_unknown) point.grade_group = grade_group_of(point, mount.height_m);
-    if (!attitude_.attitude()) point.pitch_sd_rad = kUnknownPitchSd;
+    if (!attitude_.attitude()) point.pitch_sd_rad = known ? kGroundPitchSd : kUnknownPitchSd;
     point.z_m += z_m_;
     walls.push_back(point);
   }
@@ -284,7 +305,11 @@ void ScanMatching::update_odometer() {
   odometer_m_ += step_m;
   attitude_.drive(step_m);
   T_odom_counted_ = T_odom_body_;
-  if (attitude_.attitude()) ground_.add(T_odom_body_.translation(), z_m_);
+  if (!attitude_.attitude()) {
+    ground_attitude_.drive(T_odom_body_);
+    z_m_ = ground_attitude_.z_odom_m().value_or(z_m_);
+  }
+  if (attitude()) ground_.add(T_odom_body_.translation(), z_m_);
 }
 
 void ScanMatching::update_reference(ScanObservation observation, const ScanMatch& match) {

@@ -16,8 +16,12 @@
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
+#include "common/types/vehicle.hpp"
 #include "procs/scan_matching/body_attitude.hpp"
 #include "procs/scan_matching/chain_doubt.hpp"
+#include "procs/scan_matching/ground_attitude.hpp"
 #include "procs/scan_matching/known_ground.hpp"
 #include "procs/scan_matching/laser_disagreement.hpp"
 #include "procs/scan_matching/local_reference.hpp"
@@ -29,9 +33,11 @@ namespace adit {
 
 struct ScanMatchingParams {
   Lasers lasers;
+  Vehicle vehicle;
   SurfaceParams surface;
   MotionPredictionParams motion;
   BodyAttitudeParams attitude;
+  GroundAttitudeParams ground_attitude;
   LocalReferenceParams reference;
   LaserDisagreementParams disagreement;
   PoseSearchParams search;
@@ -50,9 +56,11 @@ struct ScanMatchingParams {
   template <class V>
   void visit(V& v) {
     v.shared(Lasers::kSection, lasers);
+    v.shared(Vehicle::kSection, vehicle);
     v("surface", surface);
     v("motion", motion);
     v("attitude", attitude);
+    v("ground_attitude", ground_attitude);
     v("reference", reference);
     v("disagreement", disagreement);
     v("search", search);
@@ -80,6 +88,8 @@ class ScanMatching {
   /// False: the reading does not advance in time and is ignored.
   bool add(const WheelOdometry& reading);
   bool add(const ImuReading& reading);
+  /// A 3D scan, made where the body stands, levelled by the attitude of POSE without an IMU.
+  void add(const Cloud& cloud);
   /// A terrain map of the last 3D scan, made where the body stands.
   void add(TerrainMap terrain);
 
@@ -92,6 +102,7 @@ class ScanMatching {
   [[nodiscard]] const std::optional<MatchDoubt>& doubt() const { return doubt_; }
 
  private:
+  [[nodiscard]] std::optional<Attitude> attitude() const;
   [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan,
                                         const Pose2& T_odom_expected) const;
   [[nodiscard]] ScanMatch rejected(std::int64_t utime) const;
@@ -110,6 +121,7 @@ class ScanMatching {
   ScanMatchingParams params_;
   MotionPrediction motion_;
   BodyAttitude attitude_;
+  GroundAttitude ground_attitude_;  ///< without an IMU
   KnownGround ground_;
   LocalReference reference_;
   LaserDisagreement disagreement_;

@@ -7,6 +7,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/terrain.hpp"
 #include "common/messages/sensing.hpp"
@@ -40,6 +41,10 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
+  subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(CloudFragment::kFragmentsMax),
+                     [this](const CloudFragment& fragment) {
+                       if (const auto cloud = clouds_.add(fragment)) scan_matching_.add(*cloud);
+                     });
   subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(TerrainFragment::kFragmentsMax),
                        [this](const TerrainFragment& fragment) {
                          if (auto terrain = terrain_.add(fragment)) {

@@ -6,13 +6,15 @@
 
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/terrain.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 
 namespace adit {
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); optional TILT_FRONT, TILT_REAR (tilt_t),
-///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), TERRAIN (terrain_t).
+///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), CLOUD (cloud_t) and TERRAIN (terrain_t), in
+///      fragments.
 /// Out: SCAN_MATCH (scan_match_t) for every level scan; MATCH_DOUBT (match_doubt_t) for every
 /// motion
 ///      that may be wrong; POSE (pose_t, T_odom_body) for every scan
@@ -34,6 +36,7 @@ class ScanMatchingNode {
   double tilt_max_rad_;
   bool lasers_tilt_;
   ScanMatching scan_matching_;
+  CloudReassembler clouds_;
   TerrainReassembler terrain_;
   std::map<LaserId, double> tilt_rad_;
   Health health_;

@@ -33,7 +33,7 @@ local_scan_t to_message(const LocalScan& local) {
   message.channel = local.channel;
   set_pose(local.T_local_body, message.T_local_body);
   message.z_m = local.z_m;
-  set_attitude(local.attitude, message);
+  set_attitude(local.attitude, local.attitude_from_ground, message);
   message.angle_min_rad = local.scan.angle_min_rad;
   message.angle_step_rad = local.scan.angle_step_rad;
   message.nranges = static_cast<std::int32_t>(local.scan.ranges_m.size());
@@ -49,7 +49,8 @@ LocalScan scan_from(const local_scan_t& message) {
           pose_from(message.T_local_body),
           message.z_m,
           attitude_from(message),
-          {message.unconfirmed_beams.begin(), message.unconfirmed_beams.end()}};
+          {message.unconfirmed_beams.begin(), message.unconfirmed_beams.end()},
+          message.has_attitude == 0 && attitude_from(message).has_value()};
 }
 
 std::string_view rejection_reason(const LocalScan& local, const LocalMap& map) {

@@ -135,7 +135,7 @@ scan_match_t to_message(const ScanMatch& match) {
   set_pose(match.T_odom_body, message.T_odom_body);
   set_pose(match.T_reference_body, message.delta);
   message.z_m = match.z_m;
-  set_attitude(match.attitude, message);
+  set_attitude(match.attitude, match.attitude_from_ground, message);
   message.n_ground_beams = static_cast<std::int32_t>(match.ground_beams.size());
   message.ground_beams.assign(match.ground_beams.begin(), match.ground_beams.end());
   message.n_unconfirmed_beams = static_cast<std::int32_t>(match.unconfirmed_beams.size());
@@ -169,6 +169,7 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.T_reference_body = pose_from(message.delta);
   match.z_m = message.z_m;
   match.attitude = attitude_from(message);
+  match.attitude_from_ground = match.attitude && message.has_attitude == 0;
   match.ground_beams.assign(message.ground_beams.begin(), message.ground_beams.end());
   match.unconfirmed_beams.assign(message.unconfirmed_beams.begin(),
                                  message.unconfirmed_beams.end());

@@ -77,7 +77,7 @@ TEST(ScanAssembly, LevelsTheCloudOnASlope) {
   }
 }
 
-TEST(ScanAssembly, AssumesALevelBodyWithoutImuReadingsAndReportsIt) {
+TEST(ScanAssembly, TakesTheAttitudeOfThePoseWithoutImuReadingsAndReportsIt) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
   SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), at_rest(T_world_body));
@@ -87,7 +87,14 @@ TEST(ScanAssembly, AssumesALevelBodyWithoutImuReadingsAndReportsIt) {
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
   EXPECT_GT(largest_error(kTunnel, *cloud), 0.1);  // 0.1 rad over more than a metre
-  EXPECT_NE(assembly.problem().find("assumed level"), std::string::npos);
+  SweepingRobot levelled(box_tunnel(kTunnel), perfect_laser(), at_rest(T_world_body));
+  levelled.has_imu = false;
+  levelled.pose_attitude = {0.0, 0.1};
+  ScanAssembly another(assembly_params());
+  const auto level_cloud = levelled.sweep(another);
+  ASSERT_TRUE(level_cloud);
+  EXPECT_LE(largest_error(kTunnel, *level_cloud), kExactM);
+  EXPECT_NE(assembly.problem().find("no IMU"), std::string::npos);
 }
 
 TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {

@@ -53,6 +53,7 @@ class SweepingRobot {
   std::function<bool(double)> delivers_tilts = [](double) { return true; };
   std::function<bool(double)> delivers_commands = [](double) { return true; };
   bool has_imu = true;
+  Attitude pose_attitude;         ///< of the poses
   bool swaps_tilt_order = false;  ///< of each two readings the second arrives first
 
   /// The cloud of a request after 2 s of rest, if it is published within `seconds`.
@@ -89,7 +90,7 @@ class SweepingRobot {
     if (step % 2 == 0 && delivers_tilts(seconds_)) deliver_tilt(assembly);
     const Eigen::Vector3d p = T_world_body.translation();
     const Eigen::Vector3d x = T_world_body.linear().col(0);
-    assembly.add(utime_, Pose2{p.x(), p.y(), std::atan2(x.y(), x.x())}, p.z());
+    assembly.add(utime_, Pose2{p.x(), p.y(), std::atan2(x.y(), x.x())}, p.z(), pose_attitude);
     const Eigen::Vector3d up(0.0, 0.0, 9.81);
     if (has_imu) assembly.add(ImuReading{utime_, {}, T_world_body.linear().transpose() * up});
   }

@@ -69,7 +69,7 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
     end_unobserved_stretch();
     return;
   }
-  unobserved_.add(unobserved_error(T_last_body, match));
+  unobserved_.add(unobserved_error(T_last_body, match, wheels_step));
   unobserved_m_ += T_last_body.translation().norm();
   unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
 }
@@ -136,14 +136,33 @@ void DisplacementError::end_unobserved_stretch() {
   unobserved_lost_ = 0;
 }
 
+/// Of a step of any length without a scan that matched: the walk of the wheels, whose heading error
+/// displaces the end of a long step. The covariance of the match has an error per metre, which over
+/// a long step makes even the opposite heading likely. Empty if the wheels did not measure the
+/// step.
+std::optional<DisplacementError::ErrorCovariance> DisplacementError::carried_error(
+    const ScanMatch& match, const std::optional<Pose2>& wheels_step) const {
+  if (!wheels_step) return std::nullopt;
+  ErrorCovariance error = wheels_error(*wheels_step);
+  double& heading = error.independent(2, 2);
+  heading = std::min(heading, match.covariance(2, 2));
+  // Of a heading that walks along a straight step: the variance across it, L²/3.
+  const double across = heading * wheels_step->translation().squaredNorm() / 3.0;
+  error.independent.topLeftCorner<2, 2>().diagonal().array() += across;
+  if (error.sum().trace() >= match.covariance.trace()) return std::nullopt;
+  return error;
+}
+
 DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
-    const Pose2& T_last_body, const ScanMatch& match) const {
+    const Pose2& T_last_body, const ScanMatch& match,
+    const std::optional<Pose2>& wheels_step) const {
   ErrorCovariance part;
   if (match.status == ScanMatch::Status::kMatched) {
     for (const auto& direction : match.degenerate)
       part.add(unconstrained_error(direction, T_last_body, match));
     return part;
   }
+  if (const auto carried = carried_error(match, wheels_step)) return *carried;
   // The pose is the prediction: by an assumed speed, or by odometry if the covariance is smaller.
   const Eigen::Vector3d sd =
       duration_s(match) *

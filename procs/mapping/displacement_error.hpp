@@ -102,8 +102,10 @@ class DisplacementError {
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  [[nodiscard]] ErrorCovariance unobserved_error(const Pose2& T_last_body,
-                                                 const ScanMatch& match) const;
+  [[nodiscard]] ErrorCovariance unobserved_error(const Pose2& T_last_body, const ScanMatch& match,
+                                                 const std::optional<Pose2>& wheels_step) const;
+  [[nodiscard]] std::optional<ErrorCovariance> carried_error(
+      const ScanMatch& match, const std::optional<Pose2>& wheels_step) const;
   [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
                                                     const Pose2& T_last_body,
                                                     const ScanMatch& match) const;

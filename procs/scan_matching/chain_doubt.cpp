@@ -28,6 +28,7 @@ bool is_near(const Pose2& a, const Pose2& b, double distance_m, double angle_rad
 std::optional<MatchDoubt> ChainDoubt::judge(const ScanMatch& match, const MotionEstimate& expected,
                                             const PoseSearchResult& found) {
   add_unobserved(match);
+  add_unlocated(match);
   std::vector<Alternative> others = distinct(expected, found);
   const std::optional<Reason> why = reason(match, expected, found, others);
   const std::int64_t from_utime = why == Reason::kDegenerate ? unobserved_from_utime_
@@ -47,6 +48,7 @@ std::optional<Reason> ChainDoubt::reason(const ScanMatch& match, const MotionEst
                                          const std::vector<Alternative>& others) const {
   const bool lost = match.status == ScanMatch::Status::kLost;
   const double score = found.best.score;
+  if (lost && unlocated_m_ > params_.unlocated_max_m) return Reason::kLost;
   if (expected.from_odometry || (expected.from_gyro && !found.complete)) {
     const bool contradicted =
         !lost && score < params_.weak_score && found.best.sigmas > params_.contradicted_sigmas;
@@ -89,6 +91,11 @@ std::vector<Alternative> ChainDoubt::distinct(const MotionEstimate& expected,
     if (others.size() == kAlternativesMax) break;
   }
   return others;
+}
+
+void ChainDoubt::add_unlocated(const ScanMatch& match) {
+  const bool lost = match.status == ScanMatch::Status::kLost;
+  unlocated_m_ = lost ? unlocated_m_ + match.T_reference_body.translation().norm() : 0.0;
 }
 
 void ChainDoubt::add_unobserved(const ScanMatch& match) {

@@ -23,6 +23,7 @@ struct ChainDoubtParams {
   double distinct_rad = 0.2;
   double acceleration_max_m_s2 = 0.5;  ///< mean between two scans; bounds the poses they admit
   double unobserved_max_m = 1.0;       ///< path length with an unobserved direction
+  double unlocated_max_m = 5.0;        ///< path length by the wheels alone, of lost scans or none
   double contradicted_sigmas = 10.0;   ///< between a poor match and the sensors
 
   template <class V>
@@ -35,12 +36,14 @@ struct ChainDoubtParams {
     v("distinct_rad", distinct_rad, above(0.0));
     v("acceleration_max_m_s2", acceleration_max_m_s2, above(0.0));
     v("unobserved_max_m", unobserved_max_m, above(0.0));
+    v("unlocated_max_m", unlocated_max_m, above(0.0));
     v("contradicted_sigmas", contradicted_sigmas, above(0.0));
   }
 };
 
 /// Judges each motion of the chain of scan matches: which of them may be wrong? One that the wheels
-/// measured, or that leads nowhere beyond the search around the prediction, is sure. Of the others
+/// measured, over a few metres, or that leads nowhere beyond the search around the prediction, is
+/// sure. Of the others
 /// the evidence decides: the score of the match, and by how much it exceeds that of all other poses
 /// that the body can have reached (Olson, "Real-time correlative scan matching", ICRA 2009, takes
 /// the covariance from the same scores; at several peaks it says nothing).
@@ -60,9 +63,11 @@ class ChainDoubt {
   [[nodiscard]] std::vector<MatchDoubt::Alternative> distinct(const MotionEstimate& expected,
                                                               const PoseSearchResult& found) const;
   void add_unobserved(const ScanMatch& match);
+  void add_unlocated(const ScanMatch& match);
 
   ChainDoubtParams params_;
   std::int64_t located_utime_ = 0;          ///< of the last scan that was located
+  double unlocated_m_ = 0.0;                ///< path length since then
   double unobserved_m_ = 0.0;               ///< path length of the current stretch,
   std::int64_t unobserved_from_utime_ = 0;  ///< and its beginning
 };

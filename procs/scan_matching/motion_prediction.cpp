@@ -12,21 +12,31 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kReadingsStored = 2000;
+constexpr std::size_t kReadingsMax =
+    100'000;                         // while no scan comes: a quarter of an hour at 100 Hz
 constexpr double kShortestS = 0.01;  // shorter steps are not more accurate
 
+/// Those since `from_utime`, the last scan, are kept however long ago it was.
 template <class Reading>
-bool append(std::deque<Reading>& readings, const Reading& reading) {
+bool append(std::deque<Reading>& readings, const Reading& reading,
+            const std::optional<std::int64_t>& from_utime) {
   if (!readings.empty() && reading.utime <= readings.back().utime) return false;
   readings.push_back(reading);
-  if (readings.size() > kReadingsStored) readings.pop_front();
+  while (readings.size() > kReadingsStored) {
+    const bool needed = from_utime && readings[1].utime > *from_utime;
+    if (needed && readings.size() <= kReadingsMax) break;
+    readings.pop_front();
+  }
   return true;
 }
 
 }  // namespace
 
-bool MotionPrediction::add(const WheelOdometry& reading) { return append(wheels_, reading); }
+bool MotionPrediction::add(const WheelOdometry& reading) {
+  return append(wheels_, reading, utime_);
+}
 
-bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading); }
+bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading, utime_); }
 
 bool MotionEstimate::possible(const Pose2& T_odom_body) const {
   const Pose2 step = between(T_odom_last, T_odom_body);

@@ -258,7 +258,7 @@ void map_inconsistency(benchmark::State& state) {
 }
 
 void lengths(benchmark::internal::Benchmark* bench) {
-  bench->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Unit(benchmark::kMillisecond);
+  bench->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Arg(30000)->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK(new_map)->Apply(lengths);

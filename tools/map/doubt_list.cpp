@@ -9,12 +9,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
 constexpr double kJoinedM = 2.0;  // less than the length of a local map
 constexpr std::size_t kStretchesMax = 200;
 constexpr std::size_t kTold = 5;  // stretches in a line of text
+constexpr double kLongS = 10.0;   // in which a body without sensors may have gone metres
 
 const char* reason_text(MatchDoubt::Reason reason) {
   switch (reason) {
@@ -100,8 +103,20 @@ std::vector<MapInterval> common_intervals(std::vector<MapContradiction> contradi
   return intervals;
 }
 
+/// Whether nothing measured how far the body went: the distances of the stretch are as doubtful.
+bool is_unmeasured(const DoubtfulStretch& stretch) {
+  const auto has = [&](MatchDoubt::Reason reason) {
+    return std::ranges::find(stretch.reasons, reason_text(reason)) != stretch.reasons.end();
+  };
+  return has(MatchDoubt::Reason::kLost) || has(MatchDoubt::Reason::kDegenerate);
+}
+
 std::string stretch_text(const DoubtfulStretch& stretch) {
-  const std::string reasons = fmt::format("{}", fmt::join(stretch.reasons, ", "));
+  std::string reasons = fmt::format("{}", fmt::join(stretch.reasons, ", "));
+  const double duration_s = seconds(stretch.to_utime - stretch.from_utime);
+  if (is_unmeasured(stretch) && duration_s >= kLongS) {
+    reasons += fmt::format(", for {:.0f} s", duration_s);
+  }
   if (stretch.to_m - stretch.from_m < 0.5) {
     return fmt::format("at {:.0f} m ({})", stretch.from_m, reasons);
   }

@@ -6,31 +6,32 @@
 // right if its error is at most twice that of the dense map at the same times (with or without
 // odometry, whichever has the smaller error). Otherwise it must
 // report doubtful stretches, and each motion between two scans that differs from the dense map must
-// lie within 5 m of one: else the failure is unreported.
+// lie within 5 m of one: else the failure is unreported. A rejected log counts as reported.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "common/geometry/pose2.hpp"
+#include "tests/eval/mapping/reported_map.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/support/recordings.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/carmen/gzip_line_reader.hpp"
 #include "tools/eval/relations.hpp"
 #include "tools/eval/trajectory.hpp"
-#include "tools/map/map_run.hpp"
 
 namespace adit {
 namespace {
@@ -50,10 +51,8 @@ constexpr std::array kRecordings = {
     Recording{"Seattle", "seattle_scans.log.gz", nullptr, false}};
 
 constexpr double kRightRatio = 2.0;
-constexpr double kReportedM = 5.0;     // a local map
 constexpr double kWrongMotionM = 0.5;  // of a motion against the dense map
 constexpr double kWrongMotionRad = 0.25;
-constexpr double kRelationM = 10.0;  // path length between the poses of a relation by a dense map
 
 std::filesystem::path recording(const char* name) {
   return test::find_recording(std::string("laser2d/") + name).value_or("");
@@ -74,76 +73,15 @@ void write_thinned(const std::filesystem::path& log, const std::filesystem::path
   }
 }
 
-struct Stretch {
-  std::int64_t from_utime;
-  std::int64_t to_utime;
-};
-
-struct Map {
-  Trajectory trajectory;
-  std::vector<Stretch> stretches;
-};
-
-Map run(const std::filesystem::path& log, bool use_odometry) {
-  const test::ScratchFolder scratch;
-  run_map({log, scratch / "run", {}, use_odometry, {}, false}, [](const std::string&, double) {});
-  Map map{read_tum(scratch / "run/trajectory.tum"), {}};
-  const auto summary = nlohmann::json::parse(test::contents(scratch / "run/summary.json"));
-  for (const auto& stretch : summary.at("doubtful_stretches")) {
-    const auto utime = [&](const char* key) {
-      return std::llround(1e6 * stretch.at(key).get<double>());
-    };
-    map.stretches.push_back({utime("from_s"), utime("to_s")});
-  }
-  return map;
-}
-
-/// The dense map at the times of another trajectory.
-Trajectory sampled(const Trajectory& dense, const Trajectory& times) {
-  Trajectory at;
-  for (const TimedPose& pose : times) {
-    if (const auto T = interpolate(dense, pose.utime)) at.push_back({pose.utime, *T});
-  }
-  return at;
-}
-
-std::vector<double> distances(const Trajectory& path) {
-  std::vector<double> along(path.size(), 0.0);
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    along[i] = along[i - 1] + between(path[i - 1].pose, path[i].pose).translation().norm();
-  }
-  return along;
-}
-
-/// Relations of the dense map: of each pose with the one 10 m on, and with the one half the path
-/// on.
-std::vector<Relation> relations_of(const Trajectory& dense) {
-  const std::vector<double> along = distances(dense);
-  std::vector<Relation> relations;
-  for (std::size_t i = 0; i < dense.size(); ++i) {
-    for (const double on_m : {kRelationM, 0.5 * along.back()}) {
-      const auto j = static_cast<std::size_t>(std::ranges::lower_bound(along, along[i] + on_m) -
-                                              along.begin());
-      if (j >= dense.size()) continue;
-      relations.push_back({dense[i].utime, dense[j].utime, between(dense[i].pose, dense[j].pose)});
-    }
-  }
-  return relations;
-}
-
 /// The wrong motions of a map: their number, and of those that no stretch within 5 m reports.
 struct WrongMotions {
   std::size_t all = 0;
   std::size_t unreported = 0;
 };
 
-WrongMotions wrong_motions(const Map& map, const Trajectory& dense) {
+WrongMotions wrong_motions(const ReportedMap& map, const Trajectory& dense) {
   const Trajectory truth = sampled(dense, map.trajectory);
   const std::vector<double> along = distances(truth);
-  const auto distance_at = [&](std::int64_t utime) {
-    const auto pose = std::ranges::lower_bound(truth, utime, {}, &TimedPose::utime);
-    return along[static_cast<std::size_t>(std::min(pose, truth.end() - 1) - truth.begin())];
-  };
   WrongMotions wrong;
   for (std::size_t i = 1; i < truth.size(); ++i) {
     const auto from = interpolate(map.trajectory, truth[i - 1].utime);
@@ -153,17 +91,10 @@ WrongMotions wrong_motions(const Map& map, const Trajectory& dense) {
       continue;
     }
     ++wrong.all;
-    const bool reported = std::ranges::any_of(map.stretches, [&](const Stretch& stretch) {
-      return distance_at(stretch.from_utime) <= along[i] + kReportedM &&
-             distance_at(stretch.to_utime) >= along[i - 1] - kReportedM;
-    });
+    const bool reported = reports(map, truth, along, along[i - 1], along[i]);
     wrong.unreported += reported ? 0U : 1U;
   }
   return wrong;
-}
-
-double error_m(const std::vector<Relation>& relations, const Trajectory& trajectory) {
-  return score_relations(relations, trajectory).translation_m.mean;
 }
 
 struct Total {
@@ -173,7 +104,7 @@ struct Total {
   int unreported = 0;
 };
 
-void print_row(const std::string& name, const Map& map, const Trajectory& dense,
+void print_row(const std::string& name, const ReportedMap& map, const Trajectory& dense,
                const std::vector<Relation>& relations, Total& total) {
   const double error = error_m(relations, map.trajectory);
   const double dense_error = error_m(relations, sampled(dense, map.trajectory));
@@ -191,6 +122,22 @@ void print_row(const std::string& name, const Map& map, const Trajectory& dense,
                            dense_error, right ? "yes" : "no", map.stretches.size(), wrong.all,
                            wrong.unreported, unreported ? "UNREPORTED" : "")
             << std::flush;
+}
+
+/// Maps a log and prints its row. A log of which next to nothing matches is rejected, with a
+/// reason.
+void print_map(const std::string& name, const std::filesystem::path& log, bool use_odometry,
+               const Trajectory& dense, const std::vector<Relation>& relations, Total& total) {
+  std::optional<ReportedMap> map;
+  try {
+    map = map_log(log, use_odometry);
+  } catch (const std::runtime_error&) {
+    ++total.maps;
+    ++total.reported;
+    std::cout << fmt::format("| {} | – | – | rejected | – | – | – |  |\n", name) << std::flush;
+    return;
+  }
+  print_row(name, *map, dense, relations, total);
 }
 
 /// The ends of a turn by an angle, as indices of poses [first, last].
@@ -225,8 +172,8 @@ void print_turns(const Recording& of, const Trajectory& dense,
     const auto cut = scratch / "cut.log";
     write_thinned(recording(of.log), cut,
                   [&](std::size_t scan) { return scan <= turn->first || scan >= turn->last; });
-    print_row(fmt::format("{} | turn of {:.0f}° cut out | no", of.name, rad_to_deg(angle)),
-              run(cut, false), dense, relations, total);
+    print_map(fmt::format("{} | turn of {:.0f}° cut out | no", of.name, rad_to_deg(angle)), cut,
+              false, dense, relations, total);
   }
 }
 
@@ -237,11 +184,11 @@ void print_table(const std::string& only, const std::string& turns) {
   Total total;
   for (const Recording& of : kRecordings) {
     if (recording(of.log).empty() || (!only.empty() && only != of.name)) continue;
-    Trajectory dense = run(recording(of.log), false).trajectory;
+    Trajectory dense = map_log(recording(of.log), false).trajectory;
     const std::vector<Relation> relations =
         of.relations != nullptr ? read_relations(recording(of.relations)) : relations_of(dense);
     if (of.has_odometry) {
-      const Trajectory with_odometry = run(recording(of.log), true).trajectory;
+      const Trajectory with_odometry = map_log(recording(of.log), true).trajectory;
       if (error_m(relations, with_odometry) < error_m(relations, dense)) dense = with_odometry;
     }
     for (const std::size_t each : {1U, 2U, 4U, 8U}) {
@@ -250,8 +197,8 @@ void print_table(const std::string& only, const std::string& turns) {
       write_thinned(recording(of.log), thinned, [&](std::size_t scan) { return scan % each == 0; });
       for (const bool use_odometry : {true, false}) {
         if (use_odometry && !of.has_odometry) continue;
-        print_row(fmt::format("{} | 1/{} | {}", of.name, each, use_odometry ? "yes" : "no"),
-                  run(thinned, use_odometry), dense, relations, total);
+        print_map(fmt::format("{} | 1/{} | {}", of.name, each, use_odometry ? "yes" : "no"),
+                  thinned, use_odometry, dense, relations, total);
       }
     }
     if (turns == of.name) print_turns(of, dense, relations, total);

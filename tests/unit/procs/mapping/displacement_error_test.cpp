@@ -116,6 +116,22 @@ TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTime) {
   EXPECT_GT(sd(error, 0), 0.99 * params.speed_sd_m_s * kPeriodS * 50);
 }
 
+/// 20 m and a quarter turn without a scan: the opposite heading is not likely.
+TEST(DisplacementError, CarriesALongStepWithoutScansByTheWheels) {
+  ScanMatch lost;
+  lost.status = ScanMatch::Status::kLost;
+  lost.reference_utime = 0;
+  lost.utime = 60'000'000;
+  lost.covariance = Eigen::Vector3d(4.0, 4.0, 1.2).asDiagonal();  // as of the prior of the match
+  const Pose2 step{-19.0, 4.0, -1.5};
+  DisplacementError error{DisplacementErrorParams{}};
+  error.add_step(step, lost, step);
+  const Eigen::Matrix3d covariance = error.covariance();
+  EXPECT_LT(std::sqrt(covariance(2, 2)), 0.25);  // the walk of the wheels: 0.18 rad
+  EXPECT_GT(std::sqrt(covariance(2, 2)), 0.1);
+  EXPECT_GT(std::sqrt(covariance(0, 0)), 1.0);  // 0.18 rad over 19 m, divided by √3: 2 m
+}
+
 TEST(DisplacementError, DropsAShortDegenerateOrLostStretch) {
   DisplacementError closed{DisplacementErrorParams{}};
   drive(closed, matched(), 10);

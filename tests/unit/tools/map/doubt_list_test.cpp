@@ -65,6 +65,13 @@ TEST_F(DoubtListTest, TellsStretchesInALine) {
             "at 40 m (ambiguous), at 50 m (ambiguous) and 2 more, see summary.json");
 }
 
+/// In a straight tunnel without wheels the estimated path may be any length.
+TEST_F(DoubtListTest, TellsHowLongTheMotionWasNotMeasured) {
+  add(10, 40, Reason::kDegenerate);
+  EXPECT_EQ(stretches_text(stretches()),
+            "1 doubtful stretch: at 10 to 40 m (degenerate, for 30 s)");
+}
+
 TEST_F(DoubtListTest, MarksThePosesOfStretches) {
   add(10, 12, Reason::kLost);
   const std::vector<bool> inside = in_stretches(stretches(), path_);

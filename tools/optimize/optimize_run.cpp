@@ -94,7 +94,9 @@ OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
   OptimizeRun run;
   run.loops = loop_decisions(file, lazy);
   run.loops->association_ms = association.count();
-  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer());
+  const bool has_start = !lazy.T_map_node.empty();
+  if (has_start) file.graph.poses = lazy.T_map_node;
+  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer(), has_start);
   require_poses(file, run.result);
   remove_rejected(file.graph, lazy.accepted);
   return run;

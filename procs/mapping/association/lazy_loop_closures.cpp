@@ -11,6 +11,7 @@
 
 #include "common/pose_graph/pose_graph.hpp"
 #include "procs/mapping/association/graph_odometry.hpp"
+#include "procs/mapping/association/loop_consensus.hpp"
 #include "procs/mapping/association/loop_queue.hpp"
 
 namespace adit {
@@ -131,7 +132,7 @@ void add(OptimizeResult& all, const OptimizeResult& step) {
 class FileAssociation {
  public:
   FileAssociation(const PoseGraph& graph, const LazyAssociationParams& params)
-      : params_(params), odometry_(graph, params.gate), association_(params) {
+      : graph_(graph), params_(params), odometry_(graph, params.gate), association_(params) {
     const CondensedChain chain(graph, odometry_);
     chain.add_odometry(graph, odometry_, association_);
     std::vector<LoopClosure> loop_closures;
@@ -141,6 +142,13 @@ class FileAssociation {
   }
 
   LazyLoopClosuresResult run(const std::function<void(double)>& progress) {
+    if (params_.best_first && loses_heading(odometry_)) {
+      if (auto consensus = find_consensus(graph_, odometry_, params_.gate)) {
+        adopt(std::move(*consensus));
+        if (progress && share_done() > 0.0) progress(1.0);
+        return std::move(result_);
+      }
+    }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
       const int disagreements = association_.disagreements();
@@ -179,6 +187,25 @@ class FileAssociation {
     queue_->set_accepted(std::move(accepted));
   }
 
+  void adopt(LoopConsensus consensus) {
+    const std::vector<int> all = queue_->remaining();
+    std::vector<LoopClosure> loop_closures = queue_->with_groups(all).first;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const int constraint = odometry_.loops[as_index(all[i])];
+      const bool accepted = consensus.accepted[as_index(constraint)];
+      Association decision;
+      decision.loop_closure = std::move(loop_closures[i]);
+      decision.loop_closure.id = static_cast<int>(i);
+      decision.chosen = accepted ? 0 : Association::kNone;
+      decision.reason = accepted ? "agrees with the others" : "does not agree with the others";
+      record({all[i]}, {decision});
+      result_.constraint_of_loop_closure.push_back(constraint);
+    }
+    result_.accepted = std::move(consensus.accepted);
+    result_.T_map_node = std::move(consensus.T_map_node);
+    result_.bridges = odometry_.bridges;
+  }
+
   void finish() {
     const std::vector<int> remaining = queue_->remaining();
     auto [loop_closures, groups] = queue_->with_groups(remaining);
@@ -195,6 +222,7 @@ class FileAssociation {
     result_.trials = association_.trials();
   }
 
+  const PoseGraph& graph_;
   LazyAssociationParams params_;
   GraphOdometry odometry_;
   LazyAssociation association_;
@@ -213,10 +241,11 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
 }
 
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
-                                 const OptimizeObserver& observer) {
+                                 const OptimizeObserver& observer, bool from_poses) {
   const AcceptedConstraints full(graph, accepted);
   PoseGraph weighted{graph.poses, full.constraints};
   OptimizeParams params;
+  params.rotation_initialization = !from_poses;
   OptimizeResult all;
   double last = 0.0;
   for (int i = 0; i < kReweightings; ++i) {

@@ -55,6 +55,7 @@ LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult&
     auto& list = lazy.accepted[static_cast<std::size_t>(k)] ? loops.accepted : loops.rejected;
     list.push_back(ids_of(k));
   }
+  loops.doubts = lazy.doubts;
   loops.trials = lazy.trials;
   loops.revisions = static_cast<int>(std::count_if(
       lazy.history.begin(), lazy.history.end(),
@@ -112,6 +113,7 @@ void add_loops(Json& json, const LoopDecisions& loops) {
     json["odometry_gaps"] = loops.bridges.size();
     json["bridges_trusted"] = loops.bridges;
   }
+  if (!loops.doubts.empty()) json["doubts"] = loops.doubts;
   json["loops_accepted"] = loops.accepted;
   json["loops_rejected"] = loops.rejected;
   json["trials"] = loops.trials;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
 #include "procs/mapping/association/graph_odometry.hpp"
@@ -23,6 +24,8 @@ constexpr std::size_t kBatchFirst = 16;
 constexpr std::size_t kBatchMax = 1024;
 constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
+constexpr double kMisfitDoubtful = 3.0;   // chi-square by its expectation
+constexpr int kDoubtLoopsMin = 8;         // accepted, below which the ratio says little
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
 /// The nodes that loops, bridges and gaps touch, with the odometry between them composed to single
@@ -148,6 +151,8 @@ class FileAssociation {
         if (progress && share_done() > 0.0) progress(1.0);
         return std::move(result_);
       }
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and loops that support each other contradict others");
     }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
@@ -201,6 +206,10 @@ class FileAssociation {
       record({all[i]}, {decision});
       result_.constraint_of_loop_closure.push_back(constraint);
     }
+    if (!consensus.is_certified) {
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and the optimum is not proven to be the global one");
+    }
     result_.accepted = std::move(consensus.accepted);
     result_.T_map_node = std::move(consensus.T_map_node);
     result_.bridges = odometry_.bridges;
@@ -218,8 +227,21 @@ class FileAssociation {
       result_.accepted[as_index(constraint)] =
           association_.hypothesis().chosen[i] != Association::kNone;
     }
+    doubt_misfit();
     result_.bridges = odometry_.bridges;
     result_.trials = association_.trials();
+  }
+
+  /// Accepted wrong loops that agree with each other leave a tension in the map: its chi-square.
+  void doubt_misfit() {
+    const Hypothesis& found = association_.hypothesis();
+    const auto accepted = std::ranges::count_if(
+        found.chosen, [](int choice) { return choice != Association::kNone; });
+    if (accepted < kDoubtLoopsMin) return;
+    const double misfit = found.objective / (3.0 * static_cast<double>(accepted));
+    if (misfit < kMisfitDoubtful) return;
+    result_.doubts.push_back(
+        fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", misfit));
   }
 
   const PoseGraph& graph_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "common/pose_graph/optimize.hpp"
@@ -22,6 +23,8 @@ struct LazyLoopClosuresResult {
   /// The optimum under the accepted constraints, where it needs a better start than `optimize` has:
   /// where the odometry loses its heading (LoopConsensus). Otherwise empty.
   std::vector<Pose2> T_map_node;
+  /// Why accepted loops may be wrong or the poses not the best, one sentence each, for display.
+  std::vector<std::string> doubts;
 };
 
 /// Lazy data association on a pose graph with possibly wrong loops: the constraints i → i + 1 (the

@@ -72,9 +72,9 @@ TEST(WrongLoopsOfM3500b, AreRejectedThoughTheOdometryLosesItsHeading) {
   graph.poses = lazy.T_map_node;
   const OptimizeResult optimum = optimize_accepted(graph, lazy.accepted, {}, true);
   EXPECT_TRUE(optimum.converged);
-  // The global optimum with all right loops is 2054.7; reweighting by the kernel of Geman and
-  // McClure moves it by less than a hundredth.
-  EXPECT_LT(optimum.objective, 1.01 * 2054.7);
+  // The global optimum with all right loops is 2054.7; at full weight the objective of the
+  // reweighted optimum is larger, by less than a twentieth. A local minimum is at 3400.
+  EXPECT_LT(optimum.objective, 1.05 * 2054.7);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/pose_graph/normal_equations.hpp"
@@ -99,6 +100,9 @@ OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
   if (has_start) file.graph.poses = lazy.T_map_node;
   run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer(), has_start);
   require_poses(file, run.result);
+  if (auto doubt = doubt_of_misfit(lazy, run.result.objective)) {
+    run.loops->doubts.push_back(std::move(*doubt));
+  }
   remove_rejected(file.graph, lazy.accepted);
   return run;
 }
@@ -113,7 +117,7 @@ void add_loops(Json& json, const LoopDecisions& loops) {
     json["odometry_gaps"] = loops.bridges.size();
     json["bridges_trusted"] = loops.bridges;
   }
-  if (!loops.doubts.empty()) json["doubts"] = loops.doubts;
+  if (!loops.doubts.empty()) json["doubtful"] = fmt::format("{}", fmt::join(loops.doubts, "; "));
   json["loops_accepted"] = loops.accepted;
   json["loops_rejected"] = loops.rejected;
   json["trials"] = loops.trials;

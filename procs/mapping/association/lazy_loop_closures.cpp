@@ -24,7 +24,7 @@ constexpr std::size_t kBatchFirst = 16;
 constexpr std::size_t kBatchMax = 1024;
 constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
-constexpr double kMisfitDoubtful = 3.0;   // chi-square by its expectation
+constexpr double kMisfitDoubtful = 4.0;   // chi-square by its expectation
 constexpr int kDoubtLoopsMin = 8;         // accepted, below which the ratio says little
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
@@ -227,21 +227,8 @@ class FileAssociation {
       result_.accepted[as_index(constraint)] =
           association_.hypothesis().chosen[i] != Association::kNone;
     }
-    doubt_misfit();
     result_.bridges = odometry_.bridges;
     result_.trials = association_.trials();
-  }
-
-  /// Accepted wrong loops that agree with each other leave a tension in the map: its chi-square.
-  void doubt_misfit() {
-    const Hypothesis& found = association_.hypothesis();
-    const auto accepted = std::ranges::count_if(
-        found.chosen, [](int choice) { return choice != Association::kNone; });
-    if (accepted < kDoubtLoopsMin) return;
-    const double misfit = found.objective / (3.0 * static_cast<double>(accepted));
-    if (misfit < kMisfitDoubtful) return;
-    result_.doubts.push_back(
-        fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", misfit));
   }
 
   const PoseGraph& graph_;
@@ -260,6 +247,15 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress) {
   return FileAssociation(graph, params).run(progress);
+}
+
+std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective) {
+  const auto accepted = std::ranges::count_if(result.constraint_of_loop_closure,
+                                              [&](int k) { return result.accepted[as_index(k)]; });
+  if (accepted < kDoubtLoopsMin) return std::nullopt;
+  const double misfit = objective / (3.0 * static_cast<double>(accepted));
+  if (misfit < kMisfitDoubtful) return std::nullopt;
+  return fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", misfit);
 }
 
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,

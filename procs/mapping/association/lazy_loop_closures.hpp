@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,9 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
 /// same reasons as with `optimize`. With `from_poses` the poses of the graph are the start.
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
                                  const OptimizeObserver& observer = {}, bool from_poses = false);
+
+/// A sentence if `objective`, that of `optimize_accepted`, is more than four times the expectation
+/// for the accepted loops: wrong loops that agree with each other leave such a tension in the map.
+std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective);
 
 }  // namespace adit

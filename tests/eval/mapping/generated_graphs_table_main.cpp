@@ -47,7 +47,10 @@ const std::vector<Method>& methods() {
       {"lazy",
        [](const LabelledGraph& l) {
          LazyLoopClosuresResult result = associate_loops_lazily(l.graph, {});
-         return Selection{std::move(result.accepted), !result.doubts.empty()};
+         PoseGraph graph = l.graph;
+         const double objective = optimize_accepted(graph, result.accepted).objective;
+         const bool is_doubtful = !result.doubts.empty() || doubt_of_misfit(result, objective);
+         return Selection{std::move(result.accepted), is_doubtful};
        }},
       {"gnc", [](const LabelledGraph& l) { return Selection{accepted_by_gnc(l.graph)}; }},
       {"dcs", [](const LabelledGraph& l) { return Selection{accepted_by_dcs(l.graph)}; }}};

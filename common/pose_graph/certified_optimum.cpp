@@ -91,7 +91,7 @@ class Certification {
     relaxation_.loosen();
     LiftedPoses X = lifted(graph_.poses);
     for (int rank = 1; rank <= params_.rank_max; ++rank) {
-      X = descend(relaxation_, std::move(X), params_.iterations_max).X;
+      X = descend(relaxation_, std::move(X), params_.iterations_max, params_.tolerance).X;
       certificate_.rank = rank;
       const CertificateCheck found = check(X, relaxation_.times(X));
       if (found.holds || found.direction.size() == 0) break;

@@ -10,6 +10,8 @@ struct CertifyParams {
   double gap_max = 1e-5;     ///< relative gap up to which a minimum counts as proven global
   int rank_max = 6;          ///< of the relaxation
   int iterations_max = 300;  ///< of each descent
+  /// Relative, of each descent. The default is for the bound; better poses need less.
+  double tolerance = 1e-13;
 };
 
 /// How far the poses of a graph may be from the global minimum of the objective.

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kAngleMax = 2.6;              // residual beyond which the bound is useless [rad]
 constexpr double kPreconditionerShift = 1e-3;  // share of the scale
-constexpr double kStationary = 1e-13;          // predicted relative decrease at convergence
 constexpr double kAcceptMin = 0.1;             // share of the predicted decrease
 constexpr int kInnerMax = 200;
 
@@ -211,8 +210,9 @@ namespace {
 /// The descent on the product of spheres.
 class TrustRegion {
  public:
-  TrustRegion(const QuadraticRelaxation& relaxation, LiftedPoses start)
+  TrustRegion(const QuadraticRelaxation& relaxation, LiftedPoses start, double tolerance)
       : relaxation_(relaxation),
+        tolerance_(tolerance),
         preconditioner_(relaxation.shifted(Eigen::VectorXd::Constant(
             relaxation.nodes(), kPreconditionerShift * relaxation.scale()))),
         X_(std::move(start)) {
@@ -226,7 +226,7 @@ class TrustRegion {
     while (has_preconditioner_ && result.iterations < iterations_max) {
       const Eigen::MatrixXd Pg = precondition(gradient_);
       const double expected = 0.5 * inner(gradient_, Pg);
-      if (expected <= kStationary * (value_ + 1.0)) {
+      if (expected <= tolerance_ * (value_ + 1.0)) {
         result.converged = true;
         break;
       }
@@ -349,6 +349,7 @@ class TrustRegion {
   }
 
   const QuadraticRelaxation& relaxation_;
+  double tolerance_;
   SparseCholesky preconditioner_;
   bool has_preconditioner_ = false;
   LiftedPoses X_;
@@ -359,9 +360,9 @@ class TrustRegion {
 
 }  // namespace
 
-DescentResult descend(const QuadraticRelaxation& relaxation, LiftedPoses start,
-                      int iterations_max) {
-  return TrustRegion(relaxation, std::move(start)).run(iterations_max);
+DescentResult descend(const QuadraticRelaxation& relaxation, LiftedPoses start, int iterations_max,
+                      double tolerance) {
+  return TrustRegion(relaxation, std::move(start), tolerance).run(iterations_max);
 }
 
 }  // namespace adit

@@ -96,7 +96,9 @@ struct DescentResult {
 
 /// A stationary point of the form over the product of spheres, by a Riemannian trust region with
 /// truncated conjugate gradients (Absil, Baker, Gallivan, "Trust-region methods on Riemannian
-/// manifolds", 2007), preconditioned by a factor of M.
-DescentResult descend(const QuadraticRelaxation& relaxation, LiftedPoses start, int iterations_max);
+/// manifolds", 2007), preconditioned by a factor of M. Converged where a step of steepest descent
+/// predicts a relative decrease below `tolerance`.
+DescentResult descend(const QuadraticRelaxation& relaxation, LiftedPoses start, int iterations_max,
+                      double tolerance);
 
 }  // namespace adit

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/pose_graph/normal_equations.hpp"
@@ -55,6 +56,7 @@ LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult&
     auto& list = lazy.accepted[static_cast<std::size_t>(k)] ? loops.accepted : loops.rejected;
     list.push_back(ids_of(k));
   }
+  loops.doubts = lazy.doubts;
   loops.trials = lazy.trials;
   loops.revisions = static_cast<int>(std::count_if(
       lazy.history.begin(), lazy.history.end(),
@@ -94,8 +96,13 @@ OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
   OptimizeRun run;
   run.loops = loop_decisions(file, lazy);
   run.loops->association_ms = association.count();
-  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer());
+  const bool has_start = !lazy.T_map_node.empty();
+  if (has_start) file.graph.poses = lazy.T_map_node;
+  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer(), has_start);
   require_poses(file, run.result);
+  if (auto doubt = doubt_of_misfit(lazy, run.result.objective)) {
+    run.loops->doubts.push_back(std::move(*doubt));
+  }
   remove_rejected(file.graph, lazy.accepted);
   return run;
 }
@@ -110,6 +117,7 @@ void add_loops(Json& json, const LoopDecisions& loops) {
     json["odometry_gaps"] = loops.bridges.size();
     json["bridges_trusted"] = loops.bridges;
   }
+  if (!loops.doubts.empty()) json["doubtful"] = fmt::format("{}", fmt::join(loops.doubts, "; "));
   json["loops_accepted"] = loops.accepted;
   json["loops_rejected"] = loops.rejected;
   json["trials"] = loops.trials;

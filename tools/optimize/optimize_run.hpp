@@ -47,6 +47,8 @@ struct LoopDecisions {
   std::vector<Ids> rejected;
   /// Constraints that bridge the gaps of the odometry, one for each, and were not doubted.
   std::vector<Ids> bridges;
+  /// Why accepted loop closures may be wrong or the poses not the best, one sentence each.
+  std::vector<std::string> doubts;
   int trials = 0;     ///< evaluated hypotheses
   int revisions = 0;  ///< decisions that were revised later
   double association_ms = 0.0;

@@ -8,9 +8,11 @@
 #include <utility>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
 #include "procs/mapping/association/graph_odometry.hpp"
+#include "procs/mapping/association/loop_consensus.hpp"
 #include "procs/mapping/association/loop_queue.hpp"
 
 namespace adit {
@@ -22,6 +24,8 @@ constexpr std::size_t kBatchFirst = 16;
 constexpr std::size_t kBatchMax = 1024;
 constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
+constexpr double kMisfitDoubtful = 4.0;   // chi-square by its expectation
+constexpr int kDoubtLoopsMin = 8;         // accepted, below which the ratio says little
 constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
 /// The nodes that loops, bridges and gaps touch, with the odometry between them composed to single
@@ -131,7 +135,7 @@ void add(OptimizeResult& all, const OptimizeResult& step) {
 class FileAssociation {
  public:
   FileAssociation(const PoseGraph& graph, const LazyAssociationParams& params)
-      : params_(params), odometry_(graph, params.gate), association_(params) {
+      : graph_(graph), params_(params), odometry_(graph, params.gate), association_(params) {
     const CondensedChain chain(graph, odometry_);
     chain.add_odometry(graph, odometry_, association_);
     std::vector<LoopClosure> loop_closures;
@@ -141,6 +145,15 @@ class FileAssociation {
   }
 
   LazyLoopClosuresResult run(const std::function<void(double)>& progress) {
+    if (params_.best_first && loses_heading(odometry_)) {
+      if (auto consensus = find_consensus(graph_, odometry_, params_.gate)) {
+        adopt(std::move(*consensus));
+        if (progress && share_done() > 0.0) progress(1.0);
+        return std::move(result_);
+      }
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and loops that support each other contradict others");
+    }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
       const int disagreements = association_.disagreements();
@@ -179,6 +192,29 @@ class FileAssociation {
     queue_->set_accepted(std::move(accepted));
   }
 
+  void adopt(LoopConsensus consensus) {
+    const std::vector<int> all = queue_->remaining();
+    std::vector<LoopClosure> loop_closures = queue_->with_groups(all).first;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const int constraint = odometry_.loops[as_index(all[i])];
+      const bool accepted = consensus.accepted[as_index(constraint)];
+      Association decision;
+      decision.loop_closure = std::move(loop_closures[i]);
+      decision.loop_closure.id = static_cast<int>(i);
+      decision.chosen = accepted ? 0 : Association::kNone;
+      decision.reason = accepted ? "agrees with the others" : "does not agree with the others";
+      record({all[i]}, {decision});
+      result_.constraint_of_loop_closure.push_back(constraint);
+    }
+    if (!consensus.is_certified) {
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and the optimum is not proven to be the global one");
+    }
+    result_.accepted = std::move(consensus.accepted);
+    result_.T_map_node = std::move(consensus.T_map_node);
+    result_.bridges = odometry_.bridges;
+  }
+
   void finish() {
     const std::vector<int> remaining = queue_->remaining();
     auto [loop_closures, groups] = queue_->with_groups(remaining);
@@ -195,6 +231,7 @@ class FileAssociation {
     result_.trials = association_.trials();
   }
 
+  const PoseGraph& graph_;
   LazyAssociationParams params_;
   GraphOdometry odometry_;
   LazyAssociation association_;
@@ -212,11 +249,21 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   return FileAssociation(graph, params).run(progress);
 }
 
+std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective) {
+  const auto accepted = std::ranges::count_if(result.constraint_of_loop_closure,
+                                              [&](int k) { return result.accepted[as_index(k)]; });
+  if (accepted < kDoubtLoopsMin) return std::nullopt;
+  const double misfit = objective / (3.0 * static_cast<double>(accepted));
+  if (misfit < kMisfitDoubtful) return std::nullopt;
+  return fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", misfit);
+}
+
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
-                                 const OptimizeObserver& observer) {
+                                 const OptimizeObserver& observer, bool from_poses) {
   const AcceptedConstraints full(graph, accepted);
   PoseGraph weighted{graph.poses, full.constraints};
   OptimizeParams params;
+  params.rotation_initialization = !from_poses;
   OptimizeResult all;
   double last = 0.0;
   for (int i = 0; i < kReweightings; ++i) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/pose_graph/optimize.hpp"
@@ -19,13 +21,19 @@ struct LazyLoopClosuresResult {
   /// Indices of the constraints that bridge gaps of the odometry (GraphOdometry) and are trusted.
   std::vector<int> bridges;
   int trials = 0;
+  /// The optimum under the accepted constraints, where it needs a better start than `optimize` has:
+  /// where the odometry loses its heading (LoopConsensus). Otherwise empty.
+  std::vector<Pose2> T_map_node;
+  /// Why accepted loops may be wrong or the poses not the best, one sentence each, for display.
+  std::vector<std::string> doubts;
 };
 
 /// Lazy data association on a pose graph with possibly wrong loops: the constraints i → i + 1 (the
 /// first of each) and those that bridge gaps are the odometry (GraphOdometry), all others are loop
-/// closures with one alternative, decided in the order of LoopQueue. Throws std::invalid_argument,
-/// naming the node, if the graph is not connected. `progress` is called with the share that is
-/// done.
+/// closures with one alternative, decided in the order of LoopQueue; or together by
+/// `find_consensus`, where the odometry loses its heading and the loops agree. Throws
+/// std::invalid_argument, naming the node, if the graph is not connected. `progress` is called with
+/// the share that is done.
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const LazyAssociationParams& params,
                                               const std::function<void(double)>& progress = {});
@@ -34,8 +42,12 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
 /// residuals (kernel of Geman and McClure): an accepted loop identifies the right place, but its
 /// measurement may still be inaccurate. The result counts the steps of all reweightings; its
 /// objective is Σ eᵀ R e over all accepted constraints at full weight. Poses are unchanged for the
-/// same reasons as with `optimize`.
+/// same reasons as with `optimize`. With `from_poses` the poses of the graph are the start.
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
-                                 const OptimizeObserver& observer = {});
+                                 const OptimizeObserver& observer = {}, bool from_poses = false);
+
+/// A sentence if `objective`, that of `optimize_accepted`, is more than four times the expectation
+/// for the accepted loops: wrong loops that agree with each other leave such a tension in the map.
+std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective);
 
 }  // namespace adit

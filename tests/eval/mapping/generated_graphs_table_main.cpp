@@ -10,6 +10,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -24,9 +25,15 @@ namespace {
 using test::LabelledGraph;
 using test::LoopLabel;
 
+/// Which constraints are accepted, and whether the method says that it may be wrong.
+struct Selection {
+  std::vector<bool> accepted;
+  bool is_doubtful = false;
+};
+
 struct Method {
   const char* name;
-  std::function<std::vector<bool>(const LabelledGraph&)> accept;
+  std::function<Selection(const LabelledGraph&)> select;
 };
 
 const std::vector<Method>& methods() {
@@ -35,11 +42,18 @@ const std::vector<Method>& methods() {
        [](const LabelledGraph& l) {
          std::vector<bool> accepted;
          for (const LoopLabel label : l.labels) accepted.push_back(label != LoopLabel::kWrong);
-         return accepted;
+         return Selection{std::move(accepted)};
        }},
-      {"lazy", [](const LabelledGraph& l) { return associate_loops_lazily(l.graph, {}).accepted; }},
-      {"gnc", [](const LabelledGraph& l) { return accepted_by_gnc(l.graph); }},
-      {"dcs", [](const LabelledGraph& l) { return accepted_by_dcs(l.graph); }}};
+      {"lazy",
+       [](const LabelledGraph& l) {
+         LazyLoopClosuresResult result = associate_loops_lazily(l.graph, {});
+         PoseGraph graph = l.graph;
+         const double objective = optimize_accepted(graph, result.accepted).objective;
+         const bool is_doubtful = !result.doubts.empty() || doubt_of_misfit(result, objective);
+         return Selection{std::move(result.accepted), is_doubtful};
+       }},
+      {"gnc", [](const LabelledGraph& l) { return Selection{accepted_by_gnc(l.graph)}; }},
+      {"dcs", [](const LabelledGraph& l) { return Selection{accepted_by_dcs(l.graph)}; }}};
   return all;
 }
 
@@ -54,18 +68,18 @@ double rmse_m(const LabelledGraph& labelled, const std::vector<bool>& accepted) 
 void print_row(const test::GraphScenario& scenario, const LabelledGraph& labelled,
                const Method& method) {
   const double begin = cpu_s();
-  const std::vector<bool> accepted = method.accept(labelled);
+  const auto [accepted, is_doubtful] = method.select(labelled);
   const double took_s = cpu_s() - begin;
   const auto count = [&](LoopLabel label) {
     return static_cast<int>(std::count(labelled.labels.begin(), labelled.labels.end(), label));
   };
-  std::printf("%u,%s,%s,%zu,%d,%d,%.4f,%s,%d,%d,%.3f,%.2f\n", scenario.seed,
+  std::printf("%u,%s,%s,%zu,%d,%d,%.4f,%s,%d,%d,%.3f,%.2f,%d\n", scenario.seed,
               test::text(scenario.world).c_str(), test::text(scenario.wrong).c_str(),
               labelled.graph.poses.size(), count(LoopLabel::kRight), count(LoopLabel::kWrong),
               scenario.drift, method.name,
               test::count_accepted(labelled, accepted, LoopLabel::kRight),
               test::count_accepted(labelled, accepted, LoopLabel::kWrong),
-              rmse_m(labelled, accepted), took_s);
+              rmse_m(labelled, accepted), took_s, is_doubtful ? 1 : 0);
   std::fflush(stdout);
 }
 
@@ -90,7 +104,7 @@ int main(int argc, char** argv) try {
   app.add_option("--wrong-share", wrong_share, "Share of wrong loop closures (default: drawn)");
   CLI11_PARSE(app, argc, argv);
   std::cout << "seed,world,wrong loops,poses,right,wrong,drift,method,right accepted,"
-               "wrong accepted,RMSE (m),CPU (s)"
+               "wrong accepted,RMSE (m),CPU (s),doubtful"
             << std::endl;
   for (std::uint32_t i = 0; i < count; ++i) {
     adit::test::GraphScenario scenario = adit::test::random_scenario(first + i * step);

@@ -101,10 +101,16 @@ void warn_of_gaps(const OptimizeOptions& options, const std::vector<LoopDecision
       bridges.size() == 1 ? "1 gap" : fmt::format("{} gaps", bridges.size()), names);
 }
 
+void warn_of_doubts(const OptimizeOptions& options, const std::vector<std::string>& doubts) {
+  std::cerr << fmt::format("adit: {}: doubtful: {}\n", options.graph.string(),
+                           fmt::join(doubts, "; "));
+}
+
 void optimize_file(const OptimizeOptions& options) {
   G2oGraph file = read_g2o(options.graph);
   const OptimizeRun done = run(file, options);
   if (done.loops && !done.loops->bridges.empty()) warn_of_gaps(options, done.loops->bridges);
+  if (done.loops && !done.loops->doubts.empty()) warn_of_doubts(options, done.loops->doubts);
   if (!options.out.empty()) write_g2o(file, options.out);
   std::cout << to_json(file.graph, done) << "\n";
 }

@@ -65,7 +65,7 @@ void GroundAttitude::clear() {
 void GroundAttitude::add(const Cloud& cloud, double z_odom_m) {
   PlacedCloud placed{RegistrationCloud(cloud, params_.registration), cloud.utime,
                      cloud.T_odom_level, z_odom_m, Eigen::Vector3d::UnitZ()};
-  if (!plane_) plane_.emplace();
+  if (!plane_) plane_ = Plane{};
   if (last_) match(placed);
   // The frame level has the tilt that the body was taken to have less that of the match.
   plane_->T_odom_body = cloud.T_odom_level;

@@ -223,9 +223,11 @@ class ConsensusSearch {
 }  // namespace
 
 bool loses_heading(const GraphOdometry& odometry) {
+  if (odometry.loops.empty()) return false;
   double variance = 0.0;
   for (const UncertainPose& step : odometry.steps) variance += step.covariance(2, 2);
-  return variance > std::numbers::pi * std::numbers::pi;
+  // A step without any information has no optimum, which the search for it reports.
+  return std::isfinite(variance) && variance > std::numbers::pi * std::numbers::pi;
 }
 
 std::optional<LoopConsensus> find_consensus(const PoseGraph& graph, const GraphOdometry& odometry,

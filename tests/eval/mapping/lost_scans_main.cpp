@@ -106,9 +106,9 @@ void print_row(const Case& of, const Row& row, Total& total) {
   total.right += right ? 1 : 0;
   total.reported += !right && row.reported ? 1 : 0;
   total.silent += !right && !row.reported ? 1 : 0;
-  std::cout << fmt::format("| {}:{} | {} | {} | {} | {:.3f} | {} | {} | {} |\n",
-                           of.world.name, of.number, row.lost, row.sensors, row.outcome,
-                           row.error_m, right ? "yes" : "no", row.stretches,
+  std::cout << fmt::format("| {}:{} | {} | {} | {} | {:.3f} | {} | {} | {} |\n", of.world.name,
+                           of.number, row.lost, row.sensors, row.outcome, row.error_m,
+                           right ? "yes" : "no", row.stretches,
                            !right && !row.reported ? "SILENT" : "")
             << std::flush;
 }

@@ -152,7 +152,7 @@ class FileAssociation {
         return std::move(result_);
       }
       result_.doubts.emplace_back(
-          "the odometry loses its heading, and loops that support each other contradict others");
+          "the odometry loses its heading, and its loops have no consensus");
     }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {

@@ -68,6 +68,8 @@ class ConsensusSearch {
   }
 
   std::optional<LoopConsensus> run() {
+    const bool has_support = std::ranges::find(supported_, true) != supported_.end();
+    if (!has_support && !supported_.empty()) return std::nullopt;
     for (int round = 0; round < kRoundsMax; ++round) {
       optimise(round == 0);
       std::vector<bool> next = fitting();
@@ -134,7 +136,6 @@ class ConsensusSearch {
 
   /// Whether each loop is accepted at the map.
   [[nodiscard]] std::vector<bool> fitting() {
-    const GaussianField field(map_);
     std::vector<std::size_t> present;
     std::vector<PoseConstraint> constraints;
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
@@ -144,6 +145,7 @@ class ConsensusSearch {
     }
     std::vector<bool> next = accepted_;
     if (present.empty()) return next;
+    const GaussianField field(map_);
     const auto without = field.leave_one_out(constraints, constraints.front());
     std::vector<double> decreases;
     for (const auto& one : without) decreases.push_back(one.objective_decrease);

@@ -29,9 +29,9 @@ struct LoopConsensus {
 /// nothing changes, also at the certified optimum. Errors of loops may be smaller than
 /// their information claims; their scale is estimated.
 ///
-/// `gate`: chi-square up to which a loop fits, at full scale. Nothing if the selection does not
-/// settle, or rejects more than a twentieth of the supported loops: then groups contradict each
-/// other, between which this selection does not search.
+/// `gate`: chi-square up to which a loop fits, at full scale. Nothing if neighbours support no
+/// loop, or if the selection does not settle or rejects more than a twentieth of the supported
+/// loops: then groups contradict each other, between which this selection does not search.
 std::optional<LoopConsensus> find_consensus(const PoseGraph& graph, const GraphOdometry& odometry,
                                             double gate);
 

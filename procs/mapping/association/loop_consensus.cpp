@@ -120,12 +120,19 @@ class ConsensusSearch {
   /// Moves the map to the optimum under the accepted loops.
   void optimise(bool from_scratch) {
     map_.constraints.clear();
-    std::vector<bool> is_rejected(graph_.constraints.size(), false);
+    std::vector<bool> is_left_out(graph_.constraints.size(), false);
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
-      is_rejected[as_index(odometry_.loops[i])] = !accepted_[i];
+      is_left_out[as_index(odometry_.loops[i])] = !accepted_[i];
     }
-    for (std::size_t k = 0; k < is_rejected.size(); ++k) {
-      if (!is_rejected[k]) map_.constraints.push_back(graph_.constraints[k]);
+    for (const int k : odometry_.bridges) is_left_out[as_index(k)] = true;
+    for (std::size_t k = 0; k < is_left_out.size(); ++k) {
+      if (!is_left_out[k]) map_.constraints.push_back(graph_.constraints[k]);
+    }
+    // With some information in each direction: the odometry and they determine all poses.
+    for (const int k : odometry_.bridges) {
+      PoseConstraint bridge = graph_.constraints[as_index(k)];
+      bridge.information = measured_by(bridge).covariance.inverse();
+      map_.constraints.push_back(bridge);
     }
     OptimizeParams params;
     params.rotation_initialization = from_scratch;

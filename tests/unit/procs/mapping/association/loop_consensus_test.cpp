@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <Eigen/LU>
@@ -18,6 +19,7 @@
 #include "common/pose_graph/pose_graph.hpp"
 #include "procs/mapping/association/lazy_loop_closures.hpp"
 #include "tests/support/graphs/generated_graph.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 
 namespace adit {
 namespace {
@@ -206,6 +208,26 @@ TEST(LoopConsensus, DoesNotExistIfNoLoopHasSupport) {
   ASSERT_GE(labelled.graph.constraints.size(), 500U);
   EXPECT_FALSE(consensus_of(labelled.graph));
   EXPECT_THAT(associate_loops_lazily(labelled.graph, {}).doubts, Not(IsEmpty()));
+}
+
+/// A loop that measures no rotation bridges a gap; the only measurement of the rotation there has
+/// no support.
+TEST(LoopConsensus, MayDependOnABridgeWithSingularInformation) {
+  LabelledGraph labelled = graph_without_heading(GraphWorld::kRings, 1);
+  const auto is_across = [](const PoseConstraint& c) { return c.from <= 450 && c.to > 450; };
+  bool has_bridge = false;
+  std::erase_if(labelled.graph.constraints, [&](const PoseConstraint& c) {
+    return is_across(c) && test::is_loop(c) && std::exchange(has_bridge, true);
+  });
+  for (PoseConstraint& c : labelled.graph.constraints) {
+    if (!is_across(c)) continue;
+    c.information = test::is_loop(c) ? Eigen::Vector3d(400.0, 400.0, 0.0).asDiagonal()
+                                     : Eigen::Vector3d(0.0, 0.0, 1e4).asDiagonal();
+  }
+  ASSERT_EQ(GraphOdometry(labelled.graph, fit_gate()).bridges.size(), 1U);
+  const auto consensus = consensus_of(labelled.graph);
+  ASSERT_TRUE(consensus);
+  EXPECT_LE(std::ranges::count(consensus->accepted, false), 1);  // the measurement of the rotation
 }
 
 }  // namespace

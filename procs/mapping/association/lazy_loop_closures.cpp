@@ -210,6 +210,10 @@ class FileAssociation {
       result_.doubts.emplace_back(
           "the odometry loses its heading, and the optimum is not proven to be the global one");
     }
+    if (consensus.is_contradictory) {
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and a group of accepted loops contradicts the others");
+    }
     result_.accepted = std::move(consensus.accepted);
     result_.T_map_node = std::move(consensus.T_map_node);
     result_.bridges = odometry_.bridges;

@@ -20,6 +20,9 @@ struct LoopConsensus {
   std::vector<bool> accepted;     ///< of each constraint; odometry and bridges are
   std::vector<Pose2> T_map_node;  ///< the optimum under the accepted constraints
   bool is_certified = false;      ///< it is proven to be the global one (`certify`)
+  /// An accepted loop does not fit the map without its group, those near it along the odometry: the
+  /// group may be wrong.
+  bool is_contradictory = false;
 };
 
 /// Selects the loops of a graph whose odometry loses its heading. The first map is the optimum of

@@ -113,6 +113,7 @@ TEST_P(LoopConsensusOfWorlds, AcceptsAllRightLoops) {
     const auto consensus = consensus_of(labelled.graph);
     ASSERT_TRUE(consensus);
     EXPECT_THAT(consensus->accepted, Each(true));
+    EXPECT_FALSE(consensus->is_contradictory);
     // The optimum fits the measurements at least as well as the truth.
     const auto& constraints = labelled.graph.constraints;
     EXPECT_LT(objective({consensus->T_map_node, constraints}),
@@ -175,6 +176,24 @@ TEST_P(LoopConsensusOfWorlds, IsTheSameInEitherDirectionOfTheLoops) {
   const auto back = consensus_of(labelled.graph);
   ASSERT_TRUE(forward && back);
   EXPECT_EQ(back->accepted, forward->accepted);
+}
+
+/// One group of 20 wrong loops among 500 right ones. It fits all others by chance where these leave
+/// the map bent as it needs: in 2 of 24 graphs; 5 of them without the test of groups.
+TEST(LoopConsensus, IsDoubtfulWithAWrongGroup) {
+  int wrong_without_doubt = 0;
+  for (const GraphWorld world : {GraphWorld::kGrid, GraphWorld::kRings, GraphWorld::kMine}) {
+    for (const WrongLoops wrong : {WrongLoops::kGroups, WrongLoops::kParallel}) {
+      for (const std::uint32_t seed : {9U, 10U, 11U, 12U}) {
+        const LabelledGraph labelled = graph_without_heading(world, seed, wrong, 0.04);
+        const auto consensus = consensus_of(labelled.graph);
+        if (!consensus || !consensus->is_certified || consensus->is_contradictory) continue;
+        const int accepted = test::count_accepted(labelled, consensus->accepted, LoopLabel::kWrong);
+        wrong_without_doubt += accepted > 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_LE(wrong_without_doubt, 2);
 }
 
 TEST(LoopConsensus, IsTheOdometryWithoutLoops) {

@@ -152,7 +152,7 @@ class FileAssociation {
         return std::move(result_);
       }
       result_.doubts.emplace_back(
-          "the odometry loses its heading, and loops that support each other contradict others");
+          "the odometry loses its heading, and its loops have no consensus");
     }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
@@ -209,6 +209,10 @@ class FileAssociation {
     if (!consensus.is_certified) {
       result_.doubts.emplace_back(
           "the odometry loses its heading, and the optimum is not proven to be the global one");
+    }
+    if (consensus.is_contradictory) {
+      result_.doubts.emplace_back(
+          "the odometry loses its heading, and a group of accepted loops contradicts the others");
     }
     result_.accepted = std::move(consensus.accepted);
     result_.T_map_node = std::move(consensus.T_map_node);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -59,7 +60,11 @@ std::optional<Eigen::Matrix3d> covariance_without(const Eigen::Matrix3d& covaria
 class ConsensusSearch {
  public:
   ConsensusSearch(const PoseGraph& graph, const GraphOdometry& odometry, double gate)
-      : graph_(graph), odometry_(odometry), gate_(gate), map_{graph.poses, {}} {
+      : graph_(graph),
+        odometry_(odometry),
+        gate_(gate),
+        gate_at_scale_(gate),
+        map_{graph.poses, {}} {
     chain_.add_map({});
     for (const UncertainPose& step : odometry.steps) chain_.add_map(step);
     find_support();
@@ -68,6 +73,8 @@ class ConsensusSearch {
   }
 
   std::optional<LoopConsensus> run() {
+    const bool has_support = std::ranges::find(supported_, true) != supported_.end();
+    if (!has_support && !supported_.empty()) return std::nullopt;
     for (int round = 0; round < kRoundsMax; ++round) {
       optimise(round == 0);
       std::vector<bool> next = fitting();
@@ -118,12 +125,19 @@ class ConsensusSearch {
   /// Moves the map to the optimum under the accepted loops.
   void optimise(bool from_scratch) {
     map_.constraints.clear();
-    std::vector<bool> is_rejected(graph_.constraints.size(), false);
+    std::vector<bool> is_left_out(graph_.constraints.size(), false);
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
-      is_rejected[as_index(odometry_.loops[i])] = !accepted_[i];
+      is_left_out[as_index(odometry_.loops[i])] = !accepted_[i];
     }
-    for (std::size_t k = 0; k < is_rejected.size(); ++k) {
-      if (!is_rejected[k]) map_.constraints.push_back(graph_.constraints[k]);
+    for (const int k : odometry_.bridges) is_left_out[as_index(k)] = true;
+    for (std::size_t k = 0; k < is_left_out.size(); ++k) {
+      if (!is_left_out[k]) map_.constraints.push_back(graph_.constraints[k]);
+    }
+    // With some information in each direction: the odometry and they determine all poses.
+    for (const int k : odometry_.bridges) {
+      PoseConstraint bridge = graph_.constraints[as_index(k)];
+      bridge.information = measured_by(bridge).covariance.inverse();
+      map_.constraints.push_back(bridge);
     }
     OptimizeParams params;
     params.rotation_initialization = from_scratch;
@@ -134,7 +148,6 @@ class ConsensusSearch {
 
   /// Whether each loop is accepted at the map.
   [[nodiscard]] std::vector<bool> fitting() {
-    const GaussianField field(map_);
     std::vector<std::size_t> present;
     std::vector<PoseConstraint> constraints;
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
@@ -144,10 +157,12 @@ class ConsensusSearch {
     }
     std::vector<bool> next = accepted_;
     if (present.empty()) return next;
+    const GaussianField field(map_);
     const auto without = field.leave_one_out(constraints, constraints.front());
     std::vector<double> decreases;
     for (const auto& one : without) decreases.push_back(one.objective_decrease);
     const double gate = gate_ * scale_of(std::move(decreases));
+    gate_at_scale_ = gate;
     for (std::size_t k = 0; k < present.size(); ++k) {
       const std::size_t i = present[k];
       const bool fits = without[k].objective_decrease <= gate;
@@ -200,9 +215,54 @@ class ConsensusSearch {
     return certificate.replaced;
   }
 
+  /// The accepted loops in groups: those of different groups are apart along the odometry.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> groups_of_accepted() const {
+    std::vector<std::vector<std::size_t>> groups(accepted_.size());
+    std::vector<std::size_t> group_of(accepted_.size());
+    for (std::size_t b = 0; b < accepted_.size(); ++b) {
+      if (!accepted_[b]) continue;
+      group_of[b] = b;
+      groups[b] = {b};
+      const PoseConstraint newer = forward(loop(b));
+      for (std::size_t a = b; a-- > 0;) {
+        const PoseConstraint older = forward(loop(a));
+        if (newer.to - older.to > kNeighbourPoses) break;
+        if (!accepted_[a] || std::abs(older.from - newer.from) > kNeighbourPoses) continue;
+        std::size_t less = group_of[a];
+        std::size_t more = group_of[b];
+        if (less == more) continue;
+        if (groups[less].size() > groups[more].size()) std::swap(less, more);
+        for (const std::size_t i : groups[less]) group_of[i] = more;
+        groups[more].insert(groups[more].end(), groups[less].begin(), groups[less].end());
+        groups[less].clear();
+      }
+    }
+    std::erase_if(groups, [](const auto& group) { return group.size() < 2; });
+    return groups;
+  }
+
+  /// Whether an accepted loop does not fit the map without its group. Wrong loops that agree with
+  /// each other each fit only with the others.
+  [[nodiscard]] bool has_contradiction() const {
+    const auto groups = groups_of_accepted();
+    if (groups.empty()) return false;
+    GaussianField field(map_);
+    for (const auto& group : groups) {
+      std::vector<PoseConstraint> removed;
+      for (const std::size_t i : group) {
+        if (field.remove(loop(i))) removed.push_back(loop(i));
+      }
+      for (const PoseConstraint& c : removed) {
+        if (field.objective_increase(c) > gate_at_scale_) return true;
+      }
+      for (const PoseConstraint& c : removed) field.add(c);
+    }
+    return false;
+  }
+
   [[nodiscard]] LoopConsensus result() const {
     LoopConsensus consensus{std::vector<bool>(graph_.constraints.size(), true), map_.poses,
-                            is_certified_};
+                            is_certified_, has_contradiction()};
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
       consensus.accepted[as_index(odometry_.loops[i])] = accepted_[i];
     }
@@ -212,6 +272,7 @@ class ConsensusSearch {
   const PoseGraph& graph_;
   const GraphOdometry& odometry_;
   double gate_;
+  double gate_at_scale_;  // by the errors of the accepted loops
   OdometryChain chain_;
   std::vector<bool> supported_;  // of each loop of the odometry's list, as the following
   std::vector<bool> accepted_;

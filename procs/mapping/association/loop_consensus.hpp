@@ -20,6 +20,9 @@ struct LoopConsensus {
   std::vector<bool> accepted;     ///< of each constraint; odometry and bridges are
   std::vector<Pose2> T_map_node;  ///< the optimum under the accepted constraints
   bool is_certified = false;      ///< it is proven to be the global one (`certify`)
+  /// An accepted loop does not fit the map without its group, those near it along the odometry: the
+  /// group may be wrong.
+  bool is_contradictory = false;
 };
 
 /// Selects the loops of a graph whose odometry loses its heading. The first map is the optimum of
@@ -29,9 +32,9 @@ struct LoopConsensus {
 /// nothing changes, also at the certified optimum. Errors of loops may be smaller than
 /// their information claims; their scale is estimated.
 ///
-/// `gate`: chi-square up to which a loop fits, at full scale. Nothing if the selection does not
-/// settle, or rejects more than a twentieth of the supported loops: then groups contradict each
-/// other, between which this selection does not search.
+/// `gate`: chi-square up to which a loop fits, at full scale. Nothing if neighbours support no
+/// loop, or if the selection does not settle or rejects more than a twentieth of the supported
+/// loops: then groups contradict each other, between which this selection does not search.
 std::optional<LoopConsensus> find_consensus(const PoseGraph& graph, const GraphOdometry& odometry,
                                             double gate);
 

@@ -125,6 +125,27 @@ TEST_F(OptimizeRunTest, IsWrittenAsJson) {
   EXPECT_THAT(text, HasSubstr("[1000, 1800]"));
 }
 
+TEST_F(OptimizeRunTest, StatesNoDoubtIfTheNoiseIsAsStated) {
+  const OptimizeRun run = optimize_lazily(file_, {});
+  EXPECT_THAT(run.loops->doubts, IsEmpty());
+  EXPECT_FALSE(nlohmann::json::parse(to_json(file_.graph, run)).contains("doubtful"));
+}
+
+/// The odometry has lost its heading, and a single loop cannot correct it.
+TEST_F(OptimizeRunTest, StatesItsDoubts) {
+  std::erase_if(file_.graph.constraints,
+                [](const PoseConstraint& c) { return test::is_loop(c) && c.from > 0; });
+  for (PoseConstraint& c : file_.graph.constraints) {
+    if (!test::is_loop(c)) c.information = Eigen::Vector3d(100.0, 100.0, 10.0).asDiagonal();
+  }
+  OptimizeRun run = optimize_lazily(file_, {});
+  ASSERT_EQ(run.loops->doubts.size(), 1U);
+  EXPECT_THAT(run.loops->doubts.front(), HasSubstr("loses its heading"));
+  run.loops->doubts.emplace_back("another doubt");
+  const auto json = nlohmann::json::parse(to_json(file_.graph, run));
+  EXPECT_EQ(json["doubtful"], run.loops->doubts.front() + "; another doubt");
+}
+
 TEST_F(OptimizeRunTest, JsonHasNoLoopsWithoutAssociation) {
   const auto json = nlohmann::json::parse(to_json(file_.graph, optimize_all(file_)));
   EXPECT_FALSE(json.contains("loops_accepted"));

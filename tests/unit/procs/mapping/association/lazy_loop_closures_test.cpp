@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <Eigen/LU>
 #include <gmock/gmock.h>
@@ -204,6 +208,68 @@ double optimum(double d) {
     (slope < 0.0 ? low : high) = x;
   }
   return low;
+}
+
+/// The doubt if the first `accepted` of ten loops are accepted.
+std::optional<std::string> doubt_with(int accepted, double objective) {
+  LazyLoopClosuresResult result;
+  for (int k = 0; k < 10; ++k) {
+    result.accepted.push_back(k < accepted);
+    result.constraint_of_loop_closure.push_back(k);
+  }
+  return doubt_of_misfit(result, objective);
+}
+
+TEST(DoubtOfMisfit, IsStatedFromFourTimesTheExpectationOn) {
+  EXPECT_FALSE(doubt_with(8, 95.0));  // expected: 3 degrees of freedom for each of the 8, 24
+  EXPECT_THAT(doubt_with(8, 97.0), testing::Optional(testing::HasSubstr("4.0 times")));
+  EXPECT_FALSE(doubt_with(10, 97.0));
+  EXPECT_FALSE(doubt_with(7, 1e6));  // too few to tell
+}
+
+/// The doubt if all loops are accepted, with a stated noise `factor` times as large as the errors.
+std::optional<std::string> doubt_of_all(test::GraphScenario scenario, double factor = 1.0) {
+  test::LabelledGraph labelled = test::generated_graph(scenario);
+  LazyLoopClosuresResult result;
+  for (std::size_t k = 0; k < labelled.labels.size(); ++k) {
+    labelled.graph.constraints[k].information /= factor * factor;
+    result.accepted.push_back(true);
+    if (labelled.labels[k] == test::LoopLabel::kNone) continue;
+    result.constraint_of_loop_closure.push_back(static_cast<int>(k));
+  }
+  const double objective = optimize_accepted(labelled.graph, result.accepted).objective;
+  return doubt_of_misfit(result, objective);
+}
+
+class DoubtOfGeneratedGraphs : public testing::TestWithParam<test::GraphWorld> {
+ protected:
+  [[nodiscard]] static test::GraphScenario scenario(std::uint32_t seed, double wrong_share = 0.0) {
+    return {GetParam(), 300, 300, 0.05, test::WrongLoops::kGroups, wrong_share, seed};
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, DoubtOfGeneratedGraphs,
+                         testing::Values(test::GraphWorld::kGrid, test::GraphWorld::kRings,
+                                         test::GraphWorld::kMine),
+                         [](const auto& world) { return test::text(world.param); });
+
+/// The mean of a chi-square of 300 loops differs from 1 by less than a tenth.
+TEST_P(DoubtOfGeneratedGraphs, IsNotStatedIfTheNoiseIsAsStated) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+    EXPECT_FALSE(doubt_of_all(scenario(seed)));
+    const test::LabelledGraph labelled = test::generated_graph(scenario(seed));
+    EXPECT_THAT(associate_loops_lazily(labelled.graph, {}).doubts, testing::IsEmpty());
+  }
+}
+
+TEST_P(DoubtOfGeneratedGraphs, IsStatedIfTheNoiseIsThreeTimesAsLarge) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
+    EXPECT_TRUE(doubt_of_all(scenario(seed), 1.0 / 3.0));  // a chi-square of 9 times
+  }
+}
+
+TEST_P(DoubtOfGeneratedGraphs, IsStatedIfWrongGroupsAreAccepted) {
+  for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) EXPECT_TRUE(doubt_of_all(scenario(seed, 0.3)));
 }
 
 TEST(OptimizeAccepted, DownWeightsALoopByItsResidual) {

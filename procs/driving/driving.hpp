@@ -26,7 +26,7 @@ struct SteeringParams {
   double rate_1_m_s = 0.4;  ///< maximum rate of change of the curvature
   double blend_m = 0.5;     ///< distance over which a jump of the path's curvature is blended
   /// The same where walls are far enough that the speed is not reduced for them.
-  double blend_wide_m = 0.75;
+  double blend_wide_m = 0.6;
 
   template <class V>
   void visit(V& v) {

@@ -76,7 +76,7 @@ std::vector<PathRun> split_into_runs(const std::vector<PathPoint>& points,
 /// narrows towards the ends, so that these stay in place. A jump of the curvature becomes a ramp of
 /// that length, centred on the jump; a bend of curvature κ is cut by κ blend²/24. Where the
 /// clearance exceeds `clearance_m` the window widens gradually up to `wide_m`, at 5 cm more: with
-/// 0.75 m the tightest bend is cut by 1.5 cm.
+/// 0.6 m the tightest bend is cut by 1 cm.
 PathRun blended(const PathRun& run, double blend_m, double wide_m, double clearance_m);
 
 /// The position of the robot on its path. It never decreases and is searched only a short distance

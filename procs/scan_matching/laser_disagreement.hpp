@@ -26,7 +26,7 @@ struct LaserDisagreementParams {
 /// Estimates the systematic error of scan matching from lasers that disagree, and fuses matches
 /// with the wheels accordingly. Where walls lean, one laser finds the body ahead of what the wheels
 /// predict and the other behind, scan after scan, each with a standard deviation of millimetres:
-/// the pose drifts to whichever constrains it more. What both lasers correct in the same way is an
+/// the pose drifts to whichever constrains it more. What both lasers correct alike is an
 /// error of the wheels; half of what they correct differently is an error of the matches.
 class LaserDisagreement {
  public:

@@ -216,7 +216,7 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   walls.reserve(points.size());
   std::vector<std::int32_t> ground_beams;
   // Without an IMU ground is taken for level until a 3D scan shows that it is not.
-  const bool ground_may_slope = known || ground_.shows_slope();
+  const bool ground_may_slope = attitude_.attitude() || ground_.shows_slope();
   for (SurfacePoint& point : points) {
     using Surface = KnownGround::Surface;
     const Surface surface =

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // lost_scans_table [--mines N] [--missions] --out DIR: does a map with a lost stretch of scans know
 // when it is wrong? Generated mines with parallel entries, alternately level and not: drives
-// through all entries and crosscuts (or missions, in which both lasers are silent for some
+// through all entries and crosscuts (or missions, in which both lasers give nothing for some
 // seconds). Each log is mapped without the scans of 5, 10 or 20 m of the path, with and without
 // wheels and IMU. A map is right if the mean error of its relations against the truth is at most
 // 0.1 m. Otherwise it must report: a mission a contradiction, or that it is not sure to be at home;
@@ -57,8 +57,8 @@ struct Options {
 struct Case {
   int number = 0;
   WorldChoice world;
-  double silent_at_s = 0.0;
-  double silent_s = 0.0;
+  double unreported_at_s = 0.0;
+  double unreported_s = 0.0;
   double lost_at_share = 0.0;  ///< of the path
   double lost_m = 0.0;
 };
@@ -77,8 +77,8 @@ Case case_of(int number, bool mission) {
   of.world.length_m = kLengthM;
   of.world.topology = "parallel_entries";
   of.world.damage = mission ? kDamages[n % kDamages.size()] : 0.0;
-  of.silent_at_s = 50.0 + 200.0 * fraction;
-  of.silent_s = kSilentS[n % kSilentS.size()];
+  of.unreported_at_s = 50.0 + 200.0 * fraction;
+  of.unreported_s = kSilentS[n % kSilentS.size()];
   of.lost_at_share = 0.2 + 0.6 * fraction;
   of.lost_m = kLostM[n % kLostM.size()];
   return of;
@@ -88,7 +88,7 @@ struct Total {
   int maps = 0;
   int right = 0;
   int reported = 0;
-  int silent = 0;
+  int unreported = 0;
 };
 
 struct Row {
@@ -105,7 +105,7 @@ void print_row(const Case& of, const Row& row, Total& total) {
   ++total.maps;
   total.right += right ? 1 : 0;
   total.reported += !right && row.reported ? 1 : 0;
-  total.silent += !right && !row.reported ? 1 : 0;
+  total.unreported += !right && !row.reported ? 1 : 0;
   std::cout << fmt::format("| {}:{} | {} | {} | {} | {:.3f} | {} | {} | {} |\n", of.world.name,
                            of.number, row.lost, row.sensors, row.outcome, row.error_m,
                            right ? "yes" : "no", row.stretches,
@@ -202,9 +202,9 @@ void run_mission_case(const Case& of, const std::filesystem::path& folder, Total
   run.folder = folder;
   run.time_max_s = kTimeMaxS;
   for (const char* laser : {"front", "rear"}) {
-    run.faults.push_back(fmt::format("laser_dies:{}@{:.1f}", laser, of.silent_at_s));
+    run.faults.push_back(fmt::format("laser_dies:{}@{:.1f}", laser, of.unreported_at_s));
     run.faults.push_back(
-        fmt::format("laser_recovers:{}@{:.1f}", laser, of.silent_at_s + of.silent_s));
+        fmt::format("laser_recovers:{}@{:.1f}", laser, of.unreported_at_s + of.unreported_s));
   }
   run_mission(run);
   const std::filesystem::path log = folder / "run.lcmlog";
@@ -212,7 +212,7 @@ void run_mission_case(const Case& of, const std::filesystem::path& folder, Total
   const std::size_t contradictions = contradictions_of(log);
   const std::string outcome = outcome_of(mission);
   print_row(of,
-            {fmt::format("{:.0f} s", of.silent_s), "all, in the mission",
+            {fmt::format("{:.0f} s", of.unreported_s), "all, in the mission",
              error_m(relations_of(mission.truth), mission.mapped), contradictions,
              contradictions > 0 || outcome != "home", outcome},
             missions);
@@ -272,7 +272,7 @@ std::vector<Eigen::Vector2d> tour(const TunnelGraph& mine, double length_m) {
   return rounded;
 }
 
-/// False if the vehicle did not get far enough, as where posts are in its way.
+/// False if the vehicle did not get far enough, as where posts block it.
 bool run_drive_case(const Case& of, const std::filesystem::path& folder, Total& maps) {
   constexpr double kTourM = 220.0;
   constexpr double kFarEnoughM = 80.0;
@@ -301,14 +301,14 @@ bool run_drive_case(const Case& of, const std::filesystem::path& folder, Total& 
 }
 
 void print_total(const char* what, const Total& total) {
-  std::cout << fmt::format("{} {}: {} right, {} wrong and reported, {} silent failures\n",
-                           total.maps, what, total.right, total.reported, total.silent);
+  std::cout << fmt::format("{} {}: {} right, {} wrong and reported, {} unreported failures\n",
+                           total.maps, what, total.right, total.reported, total.unreported);
 }
 
 void print_table(const Options& options) {
   print_heading(
       "| mine | lost | sensors | outcome | error (m) | right "
-      "| contradictions or doubtful stretches | silent failure |");
+      "| contradictions or doubtful stretches | unreported failure |");
   Total missions;
   Total maps;
   int mines = 0;

@@ -84,8 +84,8 @@ TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
   EXPECT_NEAR(heights.height_m(8), 0.0, 0.03);
 }
 
-/// Out and back in reverse, a constant error of the pitch leaves no trace: the heights of the way
-/// back are those of the way out, and how far they are wrong stays unknown.
+/// Out and back in reverse, a constant error of the pitch leaves no trace: the heights of the
+/// return are those of the outward path, and how far they are wrong stays unknown.
 TEST(MapHeights, ReverseDrivingDoesNotRevealTheErrorOfThePitch) {
   constexpr double kError = 0.01;
   constexpr int kOut = 5;  // local maps out, and as many back
@@ -103,7 +103,7 @@ TEST(MapHeights, ReverseDrivingDoesNotRevealTheErrorOfThePitch) {
       point.p.z() = kError * point.forward_m;
     }
   }
-  // The last map begins at the start, the others back beside those of the way out.
+  // The last map begins at the start, the others beside those of the outward path.
   std::vector<PoseConstraint> loop_closures;
   for (int back = kOut + 1; back <= 2 * kOut; ++back) {
     const int out = 2 * kOut - back;

@@ -57,8 +57,8 @@ struct Options {
 struct Case {
   int number = 0;
   WorldChoice world;
-  double unreported_at_s = 0.0;
-  double unreported_s = 0.0;
+  double outage_at_s = 0.0;
+  double outage_s = 0.0;
   double lost_at_share = 0.0;  ///< of the path
   double lost_m = 0.0;
 };
@@ -67,7 +67,7 @@ struct Case {
 Case case_of(int number, bool mission) {
   constexpr std::array kDamages{0.0, 0.25, 0.5};
   constexpr std::array kLostM{5.0, 10.0, 20.0};
-  constexpr std::array kSilentS{5.0, 10.0, 15.0, 20.0};
+  constexpr std::array kOutagesS{5.0, 10.0, 15.0, 20.0};
   const auto n = static_cast<std::size_t>(number);
   const double fraction = std::fmod(0.618 * number, 1.0);
   Case of;
@@ -77,8 +77,8 @@ Case case_of(int number, bool mission) {
   of.world.length_m = kLengthM;
   of.world.topology = "parallel_entries";
   of.world.damage = mission ? kDamages[n % kDamages.size()] : 0.0;
-  of.unreported_at_s = 50.0 + 200.0 * fraction;
-  of.unreported_s = kSilentS[n % kSilentS.size()];
+  of.outage_at_s = 50.0 + 200.0 * fraction;
+  of.outage_s = kOutagesS[n % kOutagesS.size()];
   of.lost_at_share = 0.2 + 0.6 * fraction;
   of.lost_m = kLostM[n % kLostM.size()];
   return of;
@@ -109,7 +109,7 @@ void print_row(const Case& of, const Row& row, Total& total) {
   std::cout << fmt::format("| {}:{} | {} | {} | {} | {:.3f} | {} | {} | {} |\n", of.world.name,
                            of.number, row.lost, row.sensors, row.outcome, row.error_m,
                            right ? "yes" : "no", row.stretches,
-                           !right && !row.reported ? "SILENT" : "")
+                           !right && !row.reported ? "yes" : "")
             << std::flush;
 }
 
@@ -202,9 +202,9 @@ void run_mission_case(const Case& of, const std::filesystem::path& folder, Total
   run.folder = folder;
   run.time_max_s = kTimeMaxS;
   for (const char* laser : {"front", "rear"}) {
-    run.faults.push_back(fmt::format("laser_dies:{}@{:.1f}", laser, of.unreported_at_s));
+    run.faults.push_back(fmt::format("laser_dies:{}@{:.1f}", laser, of.outage_at_s));
     run.faults.push_back(
-        fmt::format("laser_recovers:{}@{:.1f}", laser, of.unreported_at_s + of.unreported_s));
+        fmt::format("laser_recovers:{}@{:.1f}", laser, of.outage_at_s + of.outage_s));
   }
   run_mission(run);
   const std::filesystem::path log = folder / "run.lcmlog";
@@ -212,7 +212,7 @@ void run_mission_case(const Case& of, const std::filesystem::path& folder, Total
   const std::size_t contradictions = contradictions_of(log);
   const std::string outcome = outcome_of(mission);
   print_row(of,
-            {fmt::format("{:.0f} s", of.unreported_s), "all, in the mission",
+            {fmt::format("{:.0f} s", of.outage_s), "all, in the mission",
              error_m(relations_of(mission.truth), mission.mapped), contradictions,
              contradictions > 0 || outcome != "home", outcome},
             missions);

@@ -284,7 +284,6 @@ class ConsensusSearch {
 }  // namespace
 
 bool loses_heading(const GraphOdometry& odometry) {
-  if (odometry.loops.empty()) return false;
   double variance = 0.0;
   for (const UncertainPose& step : odometry.steps) variance += step.covariance(2, 2);
   // A step without any information has no optimum, which the search for it reports.

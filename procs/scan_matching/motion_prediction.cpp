@@ -72,7 +72,7 @@ Pose2 MotionPrediction::step_at_last_speed(double dt_s) const {
   return half * straight * half;
 }
 
-MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
+MotionEstimate MotionPrediction::predict(std::int64_t utime, double wheels_scale) const {
   MotionEstimate estimate;
   estimate.prior.T_odom_body = T_odom_body_;
   estimate.T_odom_last = T_odom_body_;
@@ -81,17 +81,21 @@ MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
   estimate.displacement_max_m = params_.speed_max_m_s * (dt + params_.stamp_error_max_s);
   estimate.turn_max_rad = params_.yaw_rate_max_rad_s * (dt + params_.stamp_error_max_s);
   estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
-  apply_odometry(utime, estimate);
+  apply_odometry(utime, wheels_scale, estimate);
   apply_gyro(utime, estimate);
   if (!estimate.from_odometry) bound_unmeasured(utime, estimate);
   return estimate;
 }
 
-void MotionPrediction::apply_odometry(std::int64_t utime, MotionEstimate& estimate) const {
+void MotionPrediction::apply_odometry(std::int64_t utime, double wheels_scale,
+                                      MotionEstimate& estimate) const {
   const auto then = wheel_pose_at(wheels_, *utime_, params_.odometry_gap_max_s);
   const auto now = wheel_pose_at(wheels_, utime, params_.odometry_gap_max_s);
   if (!then || !now) return;
-  const Pose2 step = between(*then, *now);
+  estimate.wheels_step = between(*then, *now);
+  Pose2 step = estimate.wheels_step;
+  step.x *= wheels_scale;
+  step.y *= wheels_scale;
   if (!estimate.possible(T_odom_body_ * step)) return;  // spinning or reset wheels
   const double distance = step.translation().norm();
   // Makes the uncertainty over a second independent of the number of steps.

@@ -62,6 +62,7 @@ struct MotionEstimate {
   bool from_odometry = false;  ///< wheel odometry covers the step
   bool from_gyro = false;      ///< the gyro covers the rotation
   bool stationary = false;     ///< wheels, and the gyro if available, measured no motion
+  Pose2 wheels_step;           ///< if from_odometry: the step along the ground, as measured
   /// Last pose; if no wheels measure the step, of the last scan that was located.
   Pose2 T_odom_last;
   double displacement_max_m = 0.0;  ///< maximum displacement since,
@@ -85,8 +86,9 @@ class MotionPrediction {
   bool add(const WheelOdometry& reading);
   bool add(const ImuReading& reading);
 
-  /// Predicted pose at `utime`, from the last pose given to `correct`.
-  [[nodiscard]] MotionEstimate predict(std::int64_t utime) const;
+  /// Predicted pose at `utime`, from the last pose given to `correct`. `wheels_scale`: metres in
+  /// the level plane for each metre that the wheels measured along the ground.
+  [[nodiscard]] MotionEstimate predict(std::int64_t utime, double wheels_scale = 1.0) const;
 
   /// Sets the pose at `utime`. `measured`: it is observed in all directions, by a match or a
   /// sensor, and updates the speed. A pose that is partly predicted only lets the speed decay.
@@ -95,7 +97,7 @@ class MotionPrediction {
   void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured, bool located = true);
 
  private:
-  void apply_odometry(std::int64_t utime, MotionEstimate& estimate) const;
+  void apply_odometry(std::int64_t utime, double wheels_scale, MotionEstimate& estimate) const;
   void apply_gyro(std::int64_t utime, MotionEstimate& estimate) const;
   void bound_unmeasured(std::int64_t utime, MotionEstimate& estimate) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;

@@ -93,6 +93,7 @@ double lever_arm_m(const std::vector<SurfacePoint>& points) {
 ScanMatching::ScanMatching(const ScanMatchingParams& params)
     : params_(params),
       motion_(params.motion),
+      wheel_scale_(params.wheel_scale),
       attitude_(params.attitude),
       ground_attitude_(params.ground_attitude, params.vehicle),
       reference_(params.reference),
@@ -140,7 +141,8 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   doubt_.reset();
   if (!advances_in_time(laser, scan.utime)) return match;
 
-  const MotionEstimate expected = motion_.predict(scan.utime);
+  const double level_share = match.attitude ? std::cos(match.attitude->pitch_rad) : 1.0;
+  const MotionEstimate expected = motion_.predict(scan.utime, level_share * wheel_scale_.scale());
   ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
   match.ground_beams = std::move(observation.ground_beams);
@@ -157,6 +159,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   match.unconfirmed_beams = unconfirmed_beams(observation, match.T_odom_body);
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   match.z_m += climb_m(match);
+  compare_with_wheels(match, expected, level_share);
   if (has_reference) doubt_ = chain_doubt_.judge(match, expected, found);
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
@@ -197,6 +200,15 @@ double ScanMatching::climb_m(const ScanMatch& match) const {
   const Eigen::Vector2d step =
       Eigen::Rotation2Dd(-match.T_reference_body.theta) * match.T_reference_body.translation();
   return ground_slope(*match.attitude).dot(step);
+}
+
+/// A scan measures the motion along the body if it constrains the pose in all directions.
+void ScanMatching::compare_with_wheels(const ScanMatch& match, const MotionEstimate& expected,
+                                       double level_share) {
+  if (!expected.from_odometry) return;
+  const bool measured = match.status == ScanMatch::Status::kMatched && match.degenerate.empty();
+  wheel_scale_.add(expected.wheels_step, level_share,
+                   measured ? std::optional(match.T_reference_body) : std::nullopt);
 }
 
 bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {

@@ -28,6 +28,7 @@
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
 #include "procs/scan_matching/standstill.hpp"
+#include "procs/scan_matching/wheel_scale.hpp"
 
 namespace adit {
 
@@ -36,6 +37,7 @@ struct ScanMatchingParams {
   Vehicle vehicle;
   SurfaceParams surface;
   MotionPredictionParams motion;
+  WheelScaleParams wheel_scale;
   BodyAttitudeParams attitude;
   GroundAttitudeParams ground_attitude;
   LocalReferenceParams reference;
@@ -59,6 +61,7 @@ struct ScanMatchingParams {
     v.shared(Vehicle::kSection, vehicle);
     v("surface", surface);
     v("motion", motion);
+    v("wheel_scale", wheel_scale);
     v("attitude", attitude);
     v("ground_attitude", ground_attitude);
     v("reference", reference);
@@ -109,6 +112,8 @@ class ScanMatching {
   [[nodiscard]] std::vector<std::int32_t> unconfirmed_beams(const ScanObservation& observation,
                                                             const Pose2& T_odom_body) const;
   [[nodiscard]] double climb_m(const ScanMatch& match) const;
+  void compare_with_wheels(const ScanMatch& match, const MotionEstimate& expected,
+                           double level_share);
   [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
   PoseSearchResult locate(const ScanObservation& observation, const MotionEstimate& expected,
                           ScanMatch& match);
@@ -120,6 +125,7 @@ class ScanMatching {
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
+  WheelScale wheel_scale_;
   BodyAttitude attitude_;
   GroundAttitude ground_attitude_;  ///< without an IMU
   KnownGround ground_;

@@ -33,6 +33,17 @@ TEST(MotionPrediction, UsesTheStepOfTheWheels) {
   EXPECT_GT(expected.prior.information(0, 0), 0.0);
 }
 
+TEST(MotionPrediction, ScalesTheStepOfTheWheels) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {5.0, 1.0, 0.5}, true);
+  motion.add(wheels(0.0, {}));
+  motion.add(wheels(1.0, {0.4, 0.1, 0.2}));
+  const auto expected = motion.predict(kStart + kSecond, 0.9);
+  const Pose2 step = between({5.0, 1.0, 0.5}, expected.prior.T_odom_body);
+  EXPECT_NEAR((step.vector() - Eigen::Vector3d(0.36, 0.09, 0.2)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(expected.wheels_step, (Pose2{0.4, 0.1, 0.2}));
+}
+
 TEST(MotionPrediction, InterpolatesBetweenWheelReadings) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart + kSecond / 2, {}, true);

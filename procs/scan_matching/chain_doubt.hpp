@@ -9,7 +9,7 @@
 #include "common/config/bounds.hpp"
 #include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/motion/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
 
 namespace adit {

@@ -8,7 +8,7 @@
 #include "common/registration/correlative_search.hpp"
 #include "common/registration/point_to_line.hpp"
 #include "procs/scan_matching/local_reference.hpp"
-#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/motion/motion_prediction.hpp"
 
 namespace adit {
 

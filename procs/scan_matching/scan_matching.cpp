@@ -14,7 +14,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/registration/degeneracy.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/motion/motion_prediction.hpp"
 
 namespace adit {
 namespace {

@@ -19,16 +19,16 @@
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/scan_matching/body_attitude.hpp"
+#include "procs/scan_matching/ground/body_attitude.hpp"
 #include "procs/scan_matching/chain_doubt.hpp"
-#include "procs/scan_matching/ground_attitude.hpp"
-#include "procs/scan_matching/known_ground.hpp"
-#include "procs/scan_matching/laser_disagreement.hpp"
+#include "procs/scan_matching/ground/ground_attitude.hpp"
+#include "procs/scan_matching/ground/known_ground.hpp"
+#include "procs/scan_matching/motion/laser_disagreement.hpp"
 #include "procs/scan_matching/local_reference.hpp"
-#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/motion/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
-#include "procs/scan_matching/standstill.hpp"
-#include "procs/scan_matching/wheel_scale.hpp"
+#include "procs/scan_matching/motion/standstill.hpp"
+#include "procs/scan_matching/motion/wheel_scale.hpp"
 
 namespace adit {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/scan_matching/wheel_scale.hpp"
+#include "procs/scan_matching/motion/wheel_scale.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/scan_matching/laser_disagreement.hpp"
+#include "procs/scan_matching/motion/laser_disagreement.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/motion/motion_prediction.hpp"
 
 namespace adit {
 

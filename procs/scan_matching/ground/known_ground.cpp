@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/scan_matching/known_ground.hpp"
+#include "procs/scan_matching/ground/known_ground.hpp"
 
 #include <cmath>
 #include <utility>

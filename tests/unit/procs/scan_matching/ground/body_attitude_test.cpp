@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/scan_matching/body_attitude.hpp"
+#include "procs/scan_matching/ground/body_attitude.hpp"
 
 #include <algorithm>
 #include <cmath>

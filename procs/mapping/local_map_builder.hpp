@@ -48,6 +48,9 @@ class LocalMapBuilder {
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { wheels_.add(reading); }
 
+  /// The clock of all sensors was set: times so far cannot be compared with those to come.
+  void restart_time() { wheels_.clear(); }
+
   /// Adds a scan and its scan match, in order of time. Returns the local map that this finishes, if
   /// any. Lost scans are not stored, but their motion counts; rejected scans are ignored.
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,

@@ -122,6 +122,11 @@ void Mapping::update_odom(const ScanMatch& match) {
   if (!new_frame && odom_ == Odom::kRestored) odom_ = Odom::kKnown;
 }
 
+void Mapping::restart_time() {
+  builder_.restart_time();
+  rest_utime_ = builder_.current().end_utime;
+}
+
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
   update_odom(match);

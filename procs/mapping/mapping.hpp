@@ -95,6 +95,9 @@ class Mapping : private Evidence {
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { builder_.add(reading); }
 
+  /// The clock of all sensors was set: times so far cannot be compared with those to come.
+  void restart_time();
+
   /// Adds a scan and its scan match, in order of time. Returns an update if it finishes a local
   /// map.
   std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,

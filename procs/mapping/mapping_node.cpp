@@ -34,17 +34,20 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
     : bus_(bus), params_(params), mapping_(params) {
   if (!params.journal.empty()) restore(params.journal);
   for (const std::string_view channel : {channels::kLaserFront, channels::kLaserRear}) {
-    subscribe<planar_lidar_t>(bus, channel, Delivery::queued(kScansWaiting),
-                              [this, channel = std::string(channel)](const LaserScan& scan) {
-                                auto& waiting = waiting_[channel];
-                                waiting.push_back(scan);
-                                if (waiting.size() > kScansWaiting) waiting.pop_front();
-                              });
+    subscribe_measured<planar_lidar_t>(
+        bus, clocks_, channel, Delivery::queued(kScansWaiting),
+        [this, channel = std::string(channel)](const LaserScan& scan) {
+          auto& waiting = waiting_[channel];
+          waiting.push_back(scan);
+          if (waiting.size() > kScansWaiting) waiting.pop_front();
+        });
   }
-  subscribe<wheel_odometry_t>(bus, channels::kWheelOdometry, Delivery::queued(kReadingsWaiting),
-                              [this](const WheelOdometry& reading) { mapping_.add(reading); });
-  subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kScansWaiting),
-                          [this](const ScanMatch& match) { on_match(match); });
+  subscribe_measured<wheel_odometry_t>(
+      bus, clocks_, channels::kWheelOdometry, Delivery::queued(kReadingsWaiting),
+      [this](const WheelOdometry& reading) { mapping_.add(reading); });
+  subscribe_measured<scan_match_t>(bus, clocks_, channels::kScanMatch,
+                                   Delivery::queued(kScansWaiting),
+                                   [this](const ScanMatch& match) { on_match(match); });
   subscribe<map_request_t>(bus, channels::kMapRequest, Delivery::queued(10),
                            [this](const MapRequest&) {
                              resender_.request(mapping_.local_maps().size());
@@ -59,6 +62,19 @@ void MappingNode::restore(const std::string& journal) {
   restored_ = mapping_.restore(journal_->take_restored());
   if (restored_) write_journal([&] { journal_->append(*restored_); });
   graph_pending_ = true;
+}
+
+Health MappingNode::health() const {
+  const std::string fault = clocks_.fault(bus_.now_utime());
+  if (health_.level == Health::Level::kOk && !fault.empty()) {
+    return {Health::Level::kDegraded, fault};
+  }
+  return health_;
+}
+
+void MappingNode::restart_time() {
+  waiting_.clear();
+  mapping_.restart_time();
 }
 
 void MappingNode::on_match(const ScanMatch& match) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/sensor_clocks.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "procs/mapping/map_journal.hpp"
@@ -47,11 +48,13 @@ class MappingNode {
   /// Throws std::runtime_error if the journal cannot be used.
   MappingNode(Bus& bus, const Params& params);
 
-  [[nodiscard]] Health health() const { return health_; }
+  /// Degraded if the map cannot be stored, or the clock of a sensor is off.
+  [[nodiscard]] Health health() const;
   [[nodiscard]] const Mapping& map() const { return mapping_; }
 
  private:
   void on_match(const ScanMatch& match);
+  void restart_time();
   void restore(const std::string& journal);
   void write_journal(const std::function<void()>& append);
   void journal_unfinished();
@@ -65,6 +68,7 @@ class MappingNode {
   Bus& bus_;
   Params params_;
   Mapping mapping_;
+  SensorClocks clocks_{[this] { restart_time(); }};
   MapResender resender_;
   std::deque<LocalMapFragment> resend_queue_;  ///< fragments to resend
   std::optional<std::vector<MapContradiction>> published_contradictions_;

@@ -22,6 +22,9 @@ class WheelSteps {
   /// there, or a step that no vehicle drives: a reset of the odometry.
   std::optional<Pose2> step_to(std::int64_t utime);
 
+  /// Removes all readings: those to come have other times.
+  void clear() { *this = {}; }
+
  private:
   WheelReadings readings_;
   std::int64_t utime_ = 0;             ///< of the last call

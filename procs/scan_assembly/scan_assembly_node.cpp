@@ -34,9 +34,10 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
   subscribe<scan_request_t>(
       bus, channels::kScanRequest, Delivery::queued(kRequestQueueSize),
       [this](const ScanRequest& request) { scan_assembly_.begin(request, bus_.now_utime()); });
-  subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
-    scan_assembly_.add(pose.utime, pose.T_odom_body, pose.z_m, pose.attitude);
-  });
+  subscribe_measured<pose_t>(
+      bus, clocks_, channels::kPose, measured, [this](const StampedPose& pose) {
+        scan_assembly_.add(pose.utime, pose.T_odom_body, pose.z_m, pose.attitude);
+      });
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_assembly_.add(reading); });
   subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
@@ -48,11 +49,11 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
 
 void ScanAssemblyNode::subscribe_laser(LaserId laser, std::string_view scans,
                                        std::string_view tilt) {
-  subscribe<planar_lidar_t>(
-      bus_, scans, Delivery::queued(kScanQueueSize),
+  subscribe_measured<planar_lidar_t>(
+      bus_, clocks_, scans, Delivery::queued(kScanQueueSize),
       [this, laser](const LaserScan& scan) { scan_assembly_.add(laser, scan); });
-  subscribe<tilt_t>(
-      bus_, tilt, Delivery::queued(kReadingQueueSize),
+  subscribe_measured<tilt_t>(
+      bus_, clocks_, tilt, Delivery::queued(kReadingQueueSize),
       [this, laser](const TiltReading& reading) { scan_assembly_.add(laser, reading); });
 }
 
@@ -89,8 +90,9 @@ void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& wo
 Health ScanAssemblyNode::health() const {
   using Level = Health::Level;
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
-  if (scan_assembly_.problem().empty()) return {};
-  return {Level::kDegraded, scan_assembly_.problem()};
+  if (!scan_assembly_.problem().empty()) return {Level::kDegraded, scan_assembly_.problem()};
+  const std::string fault = clocks_.fault(bus_.now_utime());
+  return fault.empty() ? Health{} : Health{Level::kDegraded, fault};
 }
 
 }  // namespace adit

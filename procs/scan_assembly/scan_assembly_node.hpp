@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/sensor_clocks.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/types/cloud.hpp"
 #include "procs/scan_assembly/cloud_journal.hpp"
@@ -40,8 +41,8 @@ class ScanAssemblyNode {
   /// Throws std::runtime_error if the journal cannot be used.
   ScanAssemblyNode(Bus& bus, const Params& params);
 
-  /// Degraded if the last request was rejected, its sweep was aborted or not levelled, or a 3D scan
-  /// cannot be stored.
+  /// Degraded if the last request was rejected, its sweep was aborted or not levelled, a 3D scan
+  /// cannot be stored, or the clock of a sensor is off.
   [[nodiscard]] Health health() const;
 
  private:
@@ -52,6 +53,7 @@ class ScanAssemblyNode {
 
   Bus& bus_;
   ScanAssembly scan_assembly_;
+  SensorClocks clocks_;
   CloudBuffer buffer_;
   std::optional<CloudJournal> journal_;
   std::string journal_failure_;

@@ -25,6 +25,11 @@ bool is_near(const Pose2& a, const Pose2& b, double distance_m, double angle_rad
 
 }  // namespace
 
+void ChainDoubt::shift_time(std::int64_t shift_us) {
+  located_utime_ += shift_us;
+  unobserved_from_utime_ += shift_us;
+}
+
 std::optional<MatchDoubt> ChainDoubt::judge(const ScanMatch& match, const MotionEstimate& expected,
                                             const PoseSearchResult& found) {
   add_unobserved(match);

@@ -56,6 +56,9 @@ class ChainDoubt {
   std::optional<MatchDoubt> judge(const ScanMatch& match, const MotionEstimate& expected,
                                   const PoseSearchResult& found);
 
+  /// Moves the times of earlier scans.
+  void shift_time(std::int64_t shift_us);
+
  private:
   [[nodiscard]] std::optional<MatchDoubt::Reason> reason(
       const ScanMatch& match, const MotionEstimate& expected, const PoseSearchResult& found,

@@ -19,7 +19,8 @@
 namespace adit {
 namespace {
 
-constexpr double kSpeedSdM = 0.2;  // deviation from the last speed in one step
+constexpr std::int64_t kRestartUs = 3'000'000;  // SensorClocks follows a clock after 2 s
+constexpr double kSpeedSdM = 0.2;               // deviation from the last speed in one step
 constexpr double kSpeedSdRad = 0.2;
 
 /// Information of the prediction along a direction: that of the sensors, plus that of a constant
@@ -137,6 +138,7 @@ std::optional<Attitude> ScanMatching::attitude() const {
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   if (odom_epoch_utime_ == 0) odom_epoch_utime_ = scan.utime;
+  if (time_restarts_) shift_time_to(scan.utime);
   ScanMatch match = rejected(scan.utime);
   doubt_.reset();
   if (!advances_in_time(laser, scan.utime)) return match;
@@ -164,6 +166,23 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
   return match;
+}
+
+void ScanMatching::restart_time() {
+  if (utime_ == 0) return;
+  time_restarts_ = true;
+  last_scan_utime_.clear();
+  motion_.clear_readings();
+  attitude_ = BodyAttitude(params_.attitude);
+  disagreement_ = LaserDisagreement(params_.disagreement);
+}
+
+void ScanMatching::shift_time_to(std::int64_t utime) {
+  time_restarts_ = false;
+  const std::int64_t shift_us = utime - kRestartUs - utime_;
+  utime_ += shift_us;
+  motion_.shift_time(shift_us);
+  chain_doubt_.shift_time(shift_us);
 }
 
 /// The result for a scan that is not used: the last pose.

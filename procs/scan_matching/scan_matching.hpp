@@ -19,16 +19,16 @@
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/scan_matching/ground/body_attitude.hpp"
 #include "procs/scan_matching/chain_doubt.hpp"
+#include "procs/scan_matching/ground/body_attitude.hpp"
 #include "procs/scan_matching/ground/ground_attitude.hpp"
 #include "procs/scan_matching/ground/known_ground.hpp"
-#include "procs/scan_matching/motion/laser_disagreement.hpp"
 #include "procs/scan_matching/local_reference.hpp"
+#include "procs/scan_matching/motion/laser_disagreement.hpp"
 #include "procs/scan_matching/motion/motion_prediction.hpp"
-#include "procs/scan_matching/pose_search.hpp"
 #include "procs/scan_matching/motion/standstill.hpp"
 #include "procs/scan_matching/motion/wheel_scale.hpp"
+#include "procs/scan_matching/pose_search.hpp"
 
 namespace adit {
 
@@ -101,6 +101,10 @@ class ScanMatching {
   /// empty or matches nothing is lost: the pose is the prediction.
   ScanMatch add_scan(LaserId laser, const LaserScan& scan);
 
+  /// The clock of all sensors was set: times so far cannot be compared with those to come. The next
+  /// scan counts as made 3 s after the last one.
+  void restart_time();
+
   /// Why the motion to the last scan may be wrong; empty if it is sure.
   [[nodiscard]] const std::optional<MatchDoubt>& doubt() const { return doubt_; }
 
@@ -119,6 +123,7 @@ class ScanMatching {
                           ScanMatch& match);
   void accept_match(LaserId laser, const PoseCandidate& best, const MotionEstimate& expected,
                     double lever_arm_m, ScanMatch& match);
+  void shift_time_to(std::int64_t utime);
   void advance(ScanObservation observation, const ScanMatch& match);
   void update_odometer();
   void update_reference(ScanObservation observation, const ScanMatch& match);
@@ -138,6 +143,7 @@ class ScanMatching {
   std::map<LaserId, std::int64_t> last_scan_utime_;
   std::int64_t odom_epoch_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;
+  bool time_restarts_ = false;  ///< with the next scan
   Pose2 T_odom_body_;
   /// Of the last pose in the reference.
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();

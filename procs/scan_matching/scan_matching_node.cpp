@@ -36,10 +36,10 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
       lasers_tilt_(params.lasers_tilt),
       scan_matching_(params) {
   const auto measured = Delivery::queued(kReadingsWaiting);
-  subscribe<wheel_odometry_t>(bus, channels::kWheelOdometry, measured,
-                              [this](const WheelOdometry& w) { scan_matching_.add(w); });
-  subscribe<imu_t>(bus, channels::kImu, measured,
-                   [this](const ImuReading& reading) { scan_matching_.add(reading); });
+  subscribe_measured<wheel_odometry_t>(bus, clocks_, channels::kWheelOdometry, measured,
+                                       [this](const WheelOdometry& w) { scan_matching_.add(w); });
+  subscribe_measured<imu_t>(bus, clocks_, channels::kImu, measured,
+                            [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(CloudFragment::kFragmentsMax),
                      [this](const CloudFragment& fragment) {
@@ -56,16 +56,23 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
     // All readings are queued: a queue of one would put the newest reading behind the scans that
     // came before it, and each further reading behind more scans, so that a stage that runs late
     // would never receive the tilt of a laser.
-    subscribe<tilt_t>(bus, tilt, measured, [this, laser](const TiltReading& reading) {
-      tilt_rad_[laser] = reading.angle_rad;
-    });
-    subscribe<planar_lidar_t>(bus, scans, Delivery::queued(kScansWaiting),
-                              [this, laser, channel = std::string(scans)](const LaserScan& scan) {
-                                on_scan(laser, channel, scan);
-                              });
+    subscribe_measured<tilt_t>(
+        bus, clocks_, tilt, measured,
+        [this, laser](const TiltReading& reading) { tilt_rad_[laser] = reading.angle_rad; });
+    subscribe_measured<planar_lidar_t>(
+        bus, clocks_, scans, Delivery::queued(kScansWaiting),
+        [this, laser, channel = std::string(scans)](const LaserScan& scan) {
+          on_scan(laser, channel, scan);
+        });
   };
   subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
   subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+}
+
+Health ScanMatchingNode::health() const {
+  const std::string fault = clocks_.fault(bus_.now_utime());
+  if (!fault.empty()) return {Health::Level::kDegraded, fault};
+  return health_;
 }
 
 /// After a power loss in the middle of a sweep, the laser is still tilted.

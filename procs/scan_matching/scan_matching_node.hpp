@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/sensor_clocks.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/terrain.hpp"
@@ -25,8 +26,9 @@ class ScanMatchingNode {
 
   ScanMatchingNode(Bus& bus, const Params& params);
 
-  /// Degraded while scans are lost, or no sensor observes a direction that they do not constrain.
-  [[nodiscard]] Health health() const { return health_; }
+  /// Degraded while scans are lost, no sensor observes a direction that they do not constrain, or
+  /// the clock of a sensor is off.
+  [[nodiscard]] Health health() const;
 
  private:
   void on_scan(LaserId laser, const std::string& channel, const LaserScan& scan);
@@ -36,6 +38,7 @@ class ScanMatchingNode {
   double tilt_max_rad_;
   bool lasers_tilt_;
   ScanMatching scan_matching_;
+  SensorClocks clocks_{[this] { scan_matching_.restart_time(); }};
   CloudReassembler clouds_;
   TerrainReassembler terrain_;
   std::map<LaserId, double> tilt_rad_;

@@ -156,6 +156,16 @@ void require_result(const RunRecord& record, const LogInput& input, const Stored
   }
 }
 
+/// What scan matching did not use, by channel and reason.
+void warn_of_rejected(const HostedNode& scan_matching, std::vector<std::string>& warnings) {
+  for (const SubscriptionStats& stats : scan_matching.subscription_stats()) {
+    for (const auto& [reason, count] : stats.rejections) {
+      warnings.push_back(fmt::format("{}: {} of {} messages rejected: {}", stats.channel, count,
+                                     stats.handled + stats.rejected, reason));
+    }
+  }
+}
+
 std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus& bus) {
   std::vector<std::string> warnings;
   for (const std::string& warning : input.warnings()) {
@@ -212,6 +222,7 @@ MapRunResult run_map(const MapRunOptions& options,
   const FullMap map = full_map(earlier, record);
   MapRunResult result = result_of(record, map);
   result.warnings = collect_warnings(input, bus);
+  warn_of_rejected(scan_matching_hosted, result.warnings);
   result.warnings.insert(result.warnings.end(), config_warnings.begin(), config_warnings.end());
   if (!options.resume.empty() && result.cross_session_loop_closures == 0) {
     result.warnings.emplace_back(

@@ -62,6 +62,20 @@ StageStats::Subscription difference(const SubscriptionStats& now, const Subscrip
           now.dropped - before.dropped};
 }
 
+/// The reason of most rejections since then.
+std::string main_reason(const SubscriptionStats& now, const SubscriptionStats& before) {
+  std::string main;
+  std::int64_t most = 0;
+  for (const auto& [reason, count] : now.rejections) {
+    const auto earlier = before.rejections.find(reason);
+    const std::int64_t added = count - (earlier == before.rejections.end() ? 0 : earlier->second);
+    if (added <= most) continue;
+    most = added;
+    main = reason;
+  }
+  return main;
+}
+
 void set_times(const StageBus::HandlerTimes& times, StageStats::Subscription& subscription) {
   const auto calls = static_cast<double>(times.calls);
   subscription.handler_mean_ms = times.calls > 0 ? times.total_ms / calls : 0.0;
@@ -94,12 +108,38 @@ void NodeHost::publish_heartbeat(std::int64_t utime) {
     heartbeat.rejected += stats.rejected;
     heartbeat.dropped += stats.dropped;
   }
+  const Health inputs = input_health();
+  if (heartbeat.health.level == Health::Level::kOk) heartbeat.health = inputs;
   if (heartbeat.health.level == Health::Level::kOk && bus_.unsent() > 0) {
     heartbeat.health = {Health::Level::kDegraded,
                         std::to_string(bus_.unsent()) + " messages were not sent"};
   }
   publish(bus_, channels::kHeartbeat, to_message(heartbeat));
   report_rejections();
+}
+
+/// Degraded if since the last heartbeat most messages of a channel were rejected.
+Health NodeHost::input_health() {
+  constexpr std::int64_t kRejectedMin = 5;
+  Health health;
+  heartbeat_stats_.resize(bus_.subscriptions().size());
+  for (std::size_t i = 0; i < heartbeat_stats_.size(); ++i) {
+    const SubscriptionStats& now = bus_.stats(bus_.subscriptions()[i]);
+    const SubscriptionStats before = std::exchange(heartbeat_stats_[i], now);
+    const std::int64_t rejected = now.rejected - before.rejected;
+    const std::int64_t handled = now.handled - before.handled;
+    if (rejected < kRejectedMin || rejected <= handled) continue;
+    health = {Health::Level::kDegraded, std::to_string(rejected) + " of " +
+                                            std::to_string(rejected + handled) + " messages on " +
+                                            now.channel + " rejected: " + main_reason(now, before)};
+  }
+  return health;
+}
+
+std::vector<SubscriptionStats> NodeHost::subscription_stats() const {
+  std::vector<SubscriptionStats> stats;
+  for (const SubscriptionId id : bus_.subscriptions()) stats.push_back(bus_.stats(id));
+  return stats;
 }
 
 /// The first tick comes at the start, before any message: it only sets the reference for the next.

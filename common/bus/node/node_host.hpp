@@ -83,13 +83,18 @@ class NodeHost {
   /// The bus on which the node is constructed.
   [[nodiscard]] Bus& bus() { return bus_; }
 
-  /// Sets the source of the health in the heartbeat; OK without.
+  /// Of each subscription of the stage, in the order of creation.
+  [[nodiscard]] std::vector<SubscriptionStats> subscription_stats() const;
+
+  /// Sets the source of the health in the heartbeat; OK without. While it is OK, a channel of which
+  /// most messages are rejected makes the stage degraded.
   void set_health(std::function<Health()> health) { health_ = std::move(health); }
 
  private:
   void publish_config(std::int64_t utime);
   void publish_heartbeat(std::int64_t utime);
   void publish_stats(std::int64_t utime);
+  [[nodiscard]] Health input_health();
   void report_rejections();
 
   StageBus bus_;
@@ -99,7 +104,8 @@ class NodeHost {
   std::function<Health()> health_;
   std::optional<std::int64_t> last_stats_utime_;
   std::vector<SubscriptionStats> last_stats_;
-  std::set<std::string> reported_;  // rejections already written to error_stream_
+  std::vector<SubscriptionStats> heartbeat_stats_;  ///< at the last heartbeat
+  std::set<std::string> reported_;                  // rejections already written to error_stream_
 };
 
 /// Type-erased interface of a running node.
@@ -125,6 +131,11 @@ class HostedNode {
              std::ostream* error_stream = nullptr);
   HostedNode(const HostedNode&) = delete;
   HostedNode& operator=(const HostedNode&) = delete;
+
+  /// Of each subscription of the stage, in the order of creation.
+  [[nodiscard]] std::vector<SubscriptionStats> subscription_stats() const {
+    return host_.subscription_stats();
+  }
 
  private:
   NodeHost host_;

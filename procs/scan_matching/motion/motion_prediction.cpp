@@ -38,6 +38,17 @@ bool MotionPrediction::add(const WheelOdometry& reading) {
 
 bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading, utime_); }
 
+void MotionPrediction::clear_readings() {
+  wheels_.clear();
+  imu_.clear();
+}
+
+void MotionPrediction::shift_time(std::int64_t shift_us) {
+  if (utime_) *utime_ += shift_us;
+  if (speed_utime_) *speed_utime_ += shift_us;
+  located_utime_ += shift_us;
+}
+
 bool MotionEstimate::possible(const Pose2& T_odom_body) const {
   const Pose2 step = between(T_odom_last, T_odom_body);
   return step.translation().norm() <= displacement_max_m && std::abs(step.theta) <= turn_max_rad;

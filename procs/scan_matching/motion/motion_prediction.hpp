@@ -86,6 +86,11 @@ class MotionPrediction {
   bool add(const WheelOdometry& reading);
   bool add(const ImuReading& reading);
 
+  /// Removes all readings: those to come have other times.
+  void clear_readings();
+  /// Moves the time of the last pose.
+  void shift_time(std::int64_t shift_us);
+
   /// Predicted pose at `utime`, from the last pose given to `correct`. `wheels_scale`: metres in
   /// the level plane for each metre that the wheels measured along the ground.
   [[nodiscard]] MotionEstimate predict(std::int64_t utime, double wheels_scale = 1.0) const;

@@ -99,6 +99,33 @@ TEST_F(ScanMatchingNodeOnABus, PublishesADoubtIfAScanIsLostAfterAGap) {
   EXPECT_EQ(doubts_[0].from_utime, kStart + 200'000);
 }
 
+TEST_F(ScanMatchingNodeOnABus, IgnoresAStampInTheFuture) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  const LaserScan seen = laser_.measure({-2.0, 0.0, 0.0}, kStart + 3'600'000'000);
+  bus_.inject(kStart + 100'000, channels::kLaserFront, encode(to_message(seen)));
+  scan(kStart + 200'000, {-1.9, 0.0, 0.0});
+  ASSERT_EQ(poses_.size(), 2U);
+  EXPECT_EQ(poses_[1].utime, kStart + 200'000);
+  EXPECT_NEAR(poses_[1].T_odom_body.x, 0.1, 0.01);
+}
+
+TEST_F(ScanMatchingNodeOnABus, KeepsThePoseWhenTheClockOfAllSensorsIsSet) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  std::int64_t arrival = kStart;
+  for (const std::int64_t offset_us : {-900'000'000LL, 3'600'000'000LL}) {
+    poses_.clear();
+    for (int i = 1; i <= 40; ++i) {
+      arrival += 100'000;
+      const LaserScan seen = laser_.measure({-1.9, 0.0, 0.0}, arrival + offset_us);
+      bus_.inject(arrival, channels::kLaserFront, encode(to_message(seen)));
+    }
+    ASSERT_GE(poses_.size(), 15U);  // all but 1 s for one laser, 2 s for more sensors
+    EXPECT_EQ(poses_.back().utime, arrival + offset_us);
+    EXPECT_NEAR(poses_.back().T_odom_body.x, 0.1, 0.01);
+    EXPECT_EQ(matches_.back().status, ScanMatch::Status::kMatched);
+  }
+}
+
 TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileScansAreLost) {
   scan(kStart, {-2.0, 0.0, 0.0});
   LaserScan blind{kStart + 200'000, std::vector<float>(181, 81.83F), -1.57, 0.01745};

@@ -110,6 +110,18 @@ TEST_F(NodeHostTest, MeasuresHandlerTimesOnRequest) {
             stats_.at(0).subscriptions.at(0).handler_mean_ms);
 }
 
+TEST_F(NodeHostTest, IsDegradedWhileMostMessagesOfAChannelAreRejected) {
+  NodeHost host(bus_, {"mapping", "0.1.0", ""});
+  subscribe_to_poses(host.bus());
+  run_for(0);
+  for (int i = 0; i < 6; ++i) bus_.publish("POSE", {});
+  bus_.publish("POSE", std::vector<std::uint8_t>{1});
+  run_for(2);
+  EXPECT_EQ(heartbeats_.at(1).health,
+            (Health{Health::Level::kDegraded, "6 of 7 messages on POSE rejected: empty"}));
+  EXPECT_EQ(heartbeats_.at(2).health, Health{});
+}
+
 TEST_F(NodeHostTest, ReportsEachKindOfRejectionOnce) {
   std::ostringstream errors;
   NodeHost host(bus_, {"mapping", "0.1.0", ""}, StageBus::Measure::kNothing, &errors);

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/typed_messages.hpp"
+
+namespace adit {
+
+/// Monitors the time stamps of the measurements that one stage receives. A stage orders them by
+/// time, so one stamp in the future would make all later ones too old. A stamp that does not follow
+/// the one before it on its channel is rejected. When a channel continues from such a stamp, its
+/// clock was set: it is followed if no other channel of the stage contradicts it, as when the clock
+/// of the computer was set or a log is played again; otherwise the channel stays rejected until its
+/// clock is right, and `fault` says by how much it is off.
+class SensorClocks {
+ public:
+  static constexpr std::string_view kNotContinuous = "time stamp does not follow the one before";
+
+  /// `on_set` is called when the clock of all channels was set, before the first measurement after.
+  explicit SensorClocks(std::function<void()> on_set = {}) : on_set_(std::move(on_set)) {}
+
+  /// Returns the reason for rejection, or an empty text. `utime`: of the measurement;
+  /// `arrival_utime`: bus time at its arrival, both [µs since the epoch].
+  std::string_view check(const std::string& channel, std::int64_t utime,
+                         std::int64_t arrival_utime);
+
+  /// The clock that is off at present, one clause; empty if none is.
+  [[nodiscard]] std::string fault(std::int64_t now_utime) const;
+
+ private:
+  /// Measurements that follow each other.
+  struct Run {
+    std::int64_t first_arrival_utime = 0;
+    std::int64_t last_arrival_utime = 0;
+    std::int64_t last_utime = 0;
+    std::int64_t offset_us = 0;          ///< stamp minus arrival, of the last,
+    std::int64_t on_time_offset_us = 0;  ///< and of the last that was not late
+    int length = 0;
+
+    /// Whether the stamp advances with the arrivals, or slower.
+    [[nodiscard]] bool is_followed_by(std::int64_t utime, std::int64_t arrival_utime) const;
+    /// Whether the stamp advances and agrees with the time of arrival.
+    [[nodiscard]] bool agrees_with(std::int64_t utime, std::int64_t arrival_utime) const;
+    void add(std::int64_t utime, std::int64_t arrival_utime);
+  };
+  struct Channel {
+    Run accepted;
+    Run rejected;  ///< since the last one that was accepted
+  };
+
+  [[nodiscard]] bool others_continue(const std::string& channel, std::int64_t now_utime) const;
+
+  std::function<void()> on_set_;
+  std::map<std::string, Channel, std::less<>> channels_;
+};
+
+/// As `subscribe`, for values with a stamp `utime` that a stage orders by time: those whose stamp
+/// `clocks` rejects are counted as rejected. `clocks` must outlive the bus.
+template <class Msg, class TypedHandler>
+SubscriptionId subscribe_measured(Bus& bus, SensorClocks& clocks, std::string_view channel,
+                                  Delivery delivery, TypedHandler handler) {
+  return bus.subscribe(channel, delivery,
+                       [&clocks, channel = std::string(channel), handler = std::move(handler)](
+                           const ReceivedMessage& received) mutable -> std::string_view {
+                         const Result<Msg> message = decode<Msg>(received.bytes);
+                         if (!message) return message.rejection();
+                         const auto value = from_message(*message);
+                         if (!value) return value.rejection();
+                         const std::string_view rejection =
+                             clocks.check(channel, value->utime, received.utime);
+                         if (rejection.empty()) handler(*value);
+                         return rejection;
+                       });
+}
+
+}  // namespace adit

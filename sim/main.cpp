@@ -8,6 +8,8 @@
 
 #include "common/bus/node/version.hpp"
 #include "common/command_line/command_line.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/live/live_run.hpp"
 
 namespace {
@@ -27,10 +29,11 @@ int main(int argc, char** argv) try {
   adit::add_live_run_options(*app, options);
   app->footer(adit::kLiveRunFooter);
   app->set_version_flag("--version", fmt::format("adit-sim {}", adit::version()));
-  if (const auto exit_code = adit::parse_command_line(*app, argc, argv)) return *exit_code;
-  adit::run_live(world, options);
-  return 0;
+  const auto exit_code = adit::parse_command_line(*app, argc, argv);
+  if (!exit_code) adit::run_live(world, options);
+  adit::finish_standard_output();
+  return exit_code.value_or(0);
 } catch (const std::exception& error) {
-  std::cerr << "adit-sim: " << error.what() << std::endl;
+  adit::print_error("adit-sim", error.what());
   return kExitUnusable;
 }

@@ -5,12 +5,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 
 void require_valid_channel(std::string_view channel) {
   if (is_channel_name(channel)) return;
-  throw std::invalid_argument("'" + std::string(channel) +
-                              "' is not a valid channel: 1 to 63 of A-Z 0-9 _");
+  throw std::invalid_argument(quote(channel) + " is not a valid channel: 1 to 63 of A-Z 0-9 _");
 }
 
 }  // namespace adit

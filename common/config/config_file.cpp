@@ -3,98 +3,189 @@
 #include "common/config/config_file.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <cstddef>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "common/config/nearest_name.hpp"
-#include "common/config/text_check.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
+#include "common/text/text_check.hpp"
 
 namespace adit {
 namespace {
 
-/// Records the line at which a document begins and ignores its content.
-class DocumentStart final : public YAML::EventHandler {
- public:
-  [[nodiscard]] int line() const { return line_; }
+// The world file of a random mine of 5 km has 0.1 MB and 7,000 keys and values.
+constexpr std::size_t kFileBytesMax = std::size_t{4} << 20;
+constexpr std::size_t kNodesMax = 200'000;  // keys and values, aliases expanded
+constexpr int kDepthMax = 16;               // sections nest a few levels
 
-  void OnDocumentStart(const YAML::Mark& mark) override { line_ = mark.line + 1; }
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
-  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                const std::string& /*value*/) override {}
-  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
-                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
-  void OnSequenceEnd() override {}
-  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
-                  YAML::EmitterStyle::value /*style*/) override {}
-  void OnMapEnd() override {}
+/// What a node takes, with all nodes below it.
+struct Extent {
+  std::size_t nodes = 1;
+  std::size_t text_bytes = 0;  // of scalars and keys
+  int depth = 0;               // levels below it
 
- private:
-  int line_ = 0;
+  void add_child(const Extent& child) {
+    nodes += child.nodes;
+    text_bytes += child.text_bytes;
+    depth = std::max(depth, child.depth + 1);
+  }
 };
 
-/// The line, from 1, at which a second YAML document begins, if there is one. Parses no further:
-/// yaml-cpp 0.7 finds an unlimited number of documents in a text such as ",m". Throws as yaml-cpp
-/// does.
-std::optional<int> second_document_line(const std::string& text) {
-  std::istringstream in(text);
-  YAML::Parser parser(in);
-  DocumentStart start;
-  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
-  return start.line();
-}
-
-constexpr int kDepthMax = 16;  // sections nest a few levels; an alias may contain itself
-
-/// Converts the YAML library's tree to ConfigNode.
-class TreeBuilder {
+/// Builds the nodes from the events of the YAML parser. An alias is a copy of its anchor; the sum
+/// of all copies is bounded before each, because nested aliases grow exponentially.
+class TreeBuilder final : public YAML::EventHandler {
  public:
   explicit TreeBuilder(const std::string& name) : name_(name) {}
-
-  [[nodiscard]] ConfigNode build(const YAML::Node& yaml, int depth = 0) const {
-    ConfigNode node;
-    node.line = yaml.Mark().line + 1;
-    if (depth > kDepthMax) fail(node.line, "nested too deeply");
-    if (yaml.IsScalar()) {
-      node.kind = ConfigNode::Kind::kScalar;
-      node.text = yaml.Scalar();
-      node.quoted = yaml.Tag() == "!";
-    } else if (yaml.IsSequence()) {
-      node.kind = ConfigNode::Kind::kList;
-      for (const auto& item : yaml) node.children.push_back(build(item, depth + 1));
-    } else if (yaml.IsMap()) {
-      node.kind = ConfigNode::Kind::kMap;
-      for (const auto& entry : yaml) add_entry(node, entry.first, entry.second, depth);
-    }
-    return node;
-  }
 
   [[noreturn]] void fail(int line, const std::string& reason) const {
     throw ConfigError(name_ + ":" + std::to_string(line) + ": " + reason);
   }
 
+  ConfigNode take_root() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (++documents_ > 1) fail(line_of(mark), "a second document");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    ConfigNode node;
+    node.line = line_of(mark);
+    finish(std::move(node), {}, anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) fail(line_of(mark), "an alias within its own anchor");
+    charge(line_of(mark), found->second.extent);
+    place(found->second.node, found->second.extent);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    ConfigNode node;
+    node.kind = ConfigNode::Kind::kScalar;
+    node.line = line_of(mark);
+    node.text = value;
+    node.quoted = tag == "!";
+    finish(std::move(node), {.text_bytes = value.size()}, anchor);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value /*style*/) override {
+    open(ConfigNode::Kind::kList, line_of(mark), anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value /*style*/) override {
+    open(ConfigNode::Kind::kMap, line_of(mark), anchor);
+  }
+  void OnMapEnd() override { close(); }
+
  private:
-  void add_entry(ConfigNode& map, const YAML::Node& key, const YAML::Node& value, int depth) const {
-    const int line = key.Mark().line + 1;
-    if (!key.IsScalar()) fail(line, "a key must be a scalar");
-    if (const ConfigNode* first = map.find(key.Scalar())) {
-      fail(line,
-           "duplicate key '" + key.Scalar() + "'; first on line " + std::to_string(first->line));
+  /// A list or map whose end has not been read.
+  struct Level {
+    ConfigNode node;
+    Extent extent;
+    YAML::anchor_t anchor = 0;
+    std::optional<ConfigNode> key;                   // of a map, before its value
+    std::unordered_map<std::string, int> key_lines;  // of a map: line of each key
+  };
+
+  struct Anchored {
+    ConfigNode node;
+    Extent extent;
+  };
+
+  static int line_of(const YAML::Mark& mark) { return mark.line + 1; }
+
+  void charge(int line, const Extent& extent) {
+    total_.nodes += extent.nodes;
+    total_.text_bytes += extent.text_bytes;
+    if (total_.nodes > kNodesMax || total_.text_bytes > kFileBytesMax) {
+      fail(line, "too much content: more than " + std::to_string(kNodesMax) +
+                     " keys and values or " + std::to_string(kFileBytesMax) +
+                     " bytes with all aliases expanded");
     }
-    ConfigNode child = build(value, depth + 1);
-    child.key = key.Scalar();
-    child.line = line;
-    map.children.push_back(std::move(child));
+    const auto depth = static_cast<int>(levels_.size()) + extent.depth;
+    if (depth > kDepthMax) fail(line, "nested too deeply");
+  }
+
+  void open(ConfigNode::Kind kind, int line, YAML::anchor_t anchor) {
+    charge(line, {});
+    Level level;
+    level.node.kind = kind;
+    level.node.line = line;
+    level.anchor = anchor;
+    levels_.push_back(std::move(level));
+  }
+
+  void close() {
+    Level level = std::move(levels_.back());
+    levels_.pop_back();
+    remember(level.anchor, level.node, level.extent);
+    place(std::move(level.node), level.extent);
+  }
+
+  /// A scalar or nothing.
+  void finish(ConfigNode node, const Extent& extent, YAML::anchor_t anchor) {
+    charge(node.line, extent);
+    remember(anchor, node, extent);
+    place(std::move(node), extent);
+  }
+
+  void remember(YAML::anchor_t anchor, const ConfigNode& node, const Extent& extent) {
+    if (anchor == 0) return;
+    charge(node.line, extent);
+    anchors_[anchor] = {node, extent};
+  }
+
+  /// Adds a complete node to the list or map that is open.
+  void place(ConfigNode node, const Extent& extent) {
+    if (levels_.empty()) {
+      root_ = std::move(node);
+      return;
+    }
+    Level& level = levels_.back();
+    level.extent.add_child(extent);
+    if (level.node.kind == ConfigNode::Kind::kList) {
+      level.node.children.push_back(std::move(node));
+    } else if (!level.key) {
+      set_key(level, std::move(node));
+    } else {
+      node.line = level.key->line;
+      node.key = std::move(level.key->text);
+      level.key.reset();
+      level.node.children.push_back(std::move(node));
+    }
+  }
+
+  void set_key(Level& level, ConfigNode key) const {
+    if (key.kind != ConfigNode::Kind::kScalar) fail(key.line, "a key must be a scalar");
+    const auto [first, added] = level.key_lines.emplace(key.text, key.line);
+    if (!added) {
+      fail(key.line,
+           "duplicate key " + quote(key.text) + "; first on line " + std::to_string(first->second));
+    }
+    level.key = std::move(key);
   }
 
   const std::string& name_;
+  ConfigNode root_;
+  std::vector<Level> levels_;
+  std::map<YAML::anchor_t, Anchored> anchors_;
+  Extent total_{.nodes = 0};
+  int documents_ = 0;
 };
 
 /// yaml-cpp 0.7 does not terminate on some binary input.
@@ -106,15 +197,20 @@ void require_text(const std::string& text, const TreeBuilder& builder) {
 }
 
 ConfigNode build_root(const std::string& text, const std::string& name) {
-  const TreeBuilder builder(name);
+  TreeBuilder builder(name);
+  if (text.size() > kFileBytesMax) {
+    throw ConfigError(name + ": larger than " + std::to_string(kFileBytesMax) + " bytes");
+  }
   require_text(text, builder);
   try {
-    if (const auto line = second_document_line(text)) builder.fail(*line, "a second document");
-    const YAML::Node document = YAML::Load(text);
-    return document.IsNull() ? ConfigNode{} : builder.build(document);
+    std::istringstream in(text);
+    YAML::Parser parser(in);
+    // Two documents at most: yaml-cpp 0.7 finds an unlimited number of them in a text such as ",m".
+    if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
   } catch (const YAML::Exception& error) {
     builder.fail(error.mark.line + 1, error.msg);
   }
+  return builder.take_root();
 }
 
 }  // namespace
@@ -127,12 +223,13 @@ const ConfigNode* ConfigNode::find(std::string_view name) const {
 }
 
 ConfigFile ConfigFile::load(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  if (!in || std::filesystem::is_directory(path) || (in.peek() != EOF && !(text << in.rdbuf()))) {
-    throw ConfigError("cannot read " + path.string());
+  std::string text;
+  try {
+    text = read_text_file(path, kFileBytesMax);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(error.what());
   }
-  return parse(text.str(), path.string());
+  return parse(text, path.string());
 }
 
 ConfigFile ConfigFile::parse(const std::string& text, std::string name) {
@@ -149,7 +246,7 @@ ConfigFile ConfigFile::parse(const std::string& text, std::string name) {
 void ConfigFile::require_known_sections(const std::vector<std::string>& known) const {
   for (const ConfigNode& section : root_.children) {
     if (std::find(known.begin(), known.end(), section.key) == known.end()) {
-      throw_unknown_key(name_, section, "section '" + section.key + "'", known);
+      throw_unknown_key(name_, section, "section " + quote(section.key), known);
     }
   }
 }

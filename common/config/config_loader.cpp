@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -21,7 +22,7 @@ std::optional<T> number_in(const ConfigNode& node) {
 }
 
 std::string describe(const ConfigNode& node) {
-  if (node.kind == Kind::kScalar) return "'" + node.text + "'";
+  if (node.kind == Kind::kScalar) return quote(node.text);
   if (node.kind == Kind::kList) return "a list";
   return node.kind == Kind::kMap ? "a map" : "nothing";
 }
@@ -128,7 +129,7 @@ void ConfigLoader::leave() {
   if (level.map == nullptr) return;
   for (const ConfigNode& child : level.map->children) {
     if (std::find(level.known.begin(), level.known.end(), child.key) == level.known.end()) {
-      throw_unknown_key(file_.name(), child, "key '" + child.key + "' in " + level.path,
+      throw_unknown_key(file_.name(), child, "key " + quote(child.key) + " in " + level.path,
                         level.known);
     }
   }
@@ -148,7 +149,8 @@ double ConfigLoader::read_number(const ConfigNode& node, const Bounds& bounds) c
 }
 
 void ConfigLoader::check(const ConfigNode& node, double value, const Bounds& bounds) const {
-  if (!bounds.allow(value)) fail(node, "is " + node.text + "; allowed: " + bounds.text());
+  if (!bounds.allow(value))
+    fail(node, "is " + message_line(node.text) + "; allowed: " + bounds.text());
 }
 
 }  // namespace adit

@@ -2,18 +2,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/files/file_utils.hpp"
 
+#include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
 #include <system_error>
+
+#include <unistd.h>
+
+#include "common/files/gzip_file.hpp"
+#include "common/files/new_file.hpp"
 
 namespace adit {
 
 namespace fs = std::filesystem;
 
-void write_text_file(const std::string& text, const fs::path& path) {
-  std::ofstream out(path);
+namespace {
+
+constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
+
+std::runtime_error too_large(const fs::path& path, std::size_t bytes_max) {
+  return std::runtime_error(path.string() + ": larger than " + std::to_string(bytes_max) +
+                            " bytes");
+}
+
+/// Reads by `read_chunk(bytes, count)`, which returns the number of bytes read, 0 at the end.
+template <class ReadChunk>
+std::string read_all(const fs::path& path, std::size_t bytes_max, const ReadChunk& read_chunk) {
+  std::string text;
+  for (std::size_t got = 1; got > 0;) {
+    const std::size_t size = text.size();
+    text.resize(size + kChunkBytes);
+    got = read_chunk(text.data() + size, kChunkBytes);
+    text.resize(size + got);
+    if (text.size() > bytes_max) throw too_large(path, bytes_max);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string read_text_file(const fs::path& path, std::size_t bytes_max) {
+  std::error_code error;
+  std::ifstream file;
+  if (!fs::is_directory(path, error)) file.open(path, std::ios::binary);
+  if (!file.is_open()) throw std::runtime_error("cannot read " + path.string());
+  return read_all(path, bytes_max, [&](char* bytes, std::size_t count) {
+    file.read(bytes, static_cast<std::streamsize>(count));
+    if (file.bad()) throw std::runtime_error("cannot read " + path.string());
+    return static_cast<std::size_t>(file.gcount());
+  });
+}
+
+std::string read_gzip_file(const fs::path& path, std::size_t bytes_max) {
+  GzipFile file(path);
+  std::string text = read_all(path, bytes_max, [&](char* bytes, std::size_t count) {
+    return file.read({bytes, count});
+  });
+  if (!file.damage().empty()) {
+    throw std::runtime_error(path.string() + ": the compressed file is corrupt");
+  }
+  return text;
+}
+
+void write_text_file(std::string_view text, const fs::path& path) {
+  NewFile file(path);
+  std::ofstream out(file.part(), std::ios::binary);
   out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+  out.close();
+  if (!out)
+    throw std::system_error(errno, std::generic_category(), "cannot write " + path.string());
+  file.publish();
 }
 
 fs::path find_installed_file(const fs::path& path, const std::string& folder) {
@@ -23,6 +82,14 @@ fs::path find_installed_file(const fs::path& path, const std::string& folder) {
   const fs::path share = program.parent_path().parent_path() / "share" / "adit";
   const fs::path installed = share / folder / path.filename();
   return fs::exists(installed, ignored) ? installed : path;
+}
+
+void finish_standard_output() {
+  const bool complete = std::cout.flush().good() && std::fflush(stdout) == 0;
+  const int copy = dup(STDOUT_FILENO);  // network file systems report errors when closing
+  if (!complete || (copy >= 0 && close(copy) != 0)) {
+    throw std::runtime_error("cannot write to standard output");
+  }
 }
 
 }  // namespace adit

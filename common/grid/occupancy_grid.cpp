@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "common/files/file_utils.hpp"
 
 namespace adit {
 namespace {
@@ -187,12 +188,6 @@ std::string yaml(const OccupancyGrid& grid, const CellBox& box, const std::strin
       image, grid.resolution_m(), origin.x(), origin.y());
 }
 
-void write_file(const std::filesystem::path& path, const std::string& contents) {
-  std::ofstream out(path, std::ios::binary);
-  out << contents;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 }  // namespace
 
 void write_map_server(const OccupancyGrid& grid, const std::filesystem::path& folder,
@@ -200,8 +195,8 @@ void write_map_server(const OccupancyGrid& grid, const std::filesystem::path& fo
   CellBox box = grid.observed_box();
   box.from -= Eigen::Vector2i(1, 1);
   box.to += Eigen::Vector2i(1, 1);
-  write_file(folder / (stem + ".pgm"), pgm(grid, box));
-  write_file(folder / (stem + ".yaml"), yaml(grid, box, stem + ".pgm"));
+  write_text_file(pgm(grid, box), folder / (stem + ".pgm"));
+  write_text_file(yaml(grid, box, stem + ".pgm"), folder / (stem + ".yaml"));
 }
 
 }  // namespace adit

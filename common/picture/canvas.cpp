@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/files/new_file.hpp"
 #include "common/picture/palette.hpp"
 
 namespace adit {
@@ -90,11 +91,13 @@ void Canvas::set(const RgbImage& image) const {
 }
 
 void Canvas::write_png(const std::filesystem::path& path) const {
-  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), path.c_str());
+  NewFile file(path);
+  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.part().c_str());
   if (status != CAIRO_STATUS_SUCCESS) {
     throw std::runtime_error("cannot write " + path.string() + ": " +
                              cairo_status_to_string(status));
   }
+  file.publish();
 }
 
 double draw_text_block(const Canvas& canvas, const std::string& text, double left, double top,

@@ -5,20 +5,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <zlib.h>
 
 #include "common/config/number_text.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/files/new_file.hpp"
 #include "common/geometry/symmetric_eigen.hpp"
 #include "common/pose_graph/optimize.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -29,26 +30,6 @@ struct CloseGz {
   void operator()(gzFile_s* file) const { gzclose(file); }
 };
 using GzFile = std::unique_ptr<gzFile_s, CloseGz>;
-
-/// gzopen also reads plain files.
-std::string contents(const std::filesystem::path& path) {
-  std::error_code error;
-  GzFile file;
-  if (!std::filesystem::is_directory(path, error)) file.reset(gzopen(path.c_str(), "rb"));
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  constexpr unsigned kChunkBytes = 1 << 18;
-  std::string text;
-  for (int got = kChunkBytes; got > 0;) {
-    const std::size_t size = text.size();
-    text.resize(size + kChunkBytes);
-    got = gzread(file.get(), text.data() + size, kChunkBytes);
-    text.resize(size + static_cast<std::size_t>(std::max(got, 0)));
-  }
-  int code = Z_OK;
-  gzerror(file.get(), &code);
-  if (code != Z_OK) throw std::runtime_error(path.string() + ": the compressed file is corrupt");
-  return text;
-}
 
 /// The tokens of one line.
 class LineTokens {
@@ -76,14 +57,14 @@ class LineTokens {
     Number value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size() || !is_finite(value)) {
-      fail(fmt::format("'{}' is not a valid {}", token, what));
+      fail(fmt::format("{} is not a valid {}", quote(token), what));
     }
     return value;
   }
 
   void expect_end() {
     const std::string_view token = next();
-    if (!token.empty()) fail(fmt::format("'{}' after the last number", token));
+    if (!token.empty()) fail(fmt::format("{} after the last number", quote(token)));
   }
 
  private:
@@ -125,7 +106,7 @@ class Parser {
     } else if (tag == "FIX") {
       fixed_.emplace_back(tokens.number<long>("id"), number);
     } else {
-      tokens.fail(fmt::format("unknown tag '{}'", tag));
+      tokens.fail(fmt::format("unknown tag {}", quote(tag)));
     }
     tokens.expect_end();
   }
@@ -255,16 +236,10 @@ bool write_gz(const std::string& text, const std::filesystem::path& path) {
   return written == static_cast<int>(text.size()) && gzclose(file.release()) == Z_OK;
 }
 
-bool write_plain(const std::string& text, const std::filesystem::path& path) {
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  return file.good();
-}
-
 }  // namespace
 
 G2oGraph read_g2o(const std::filesystem::path& path) {
-  const std::string text = contents(path);
+  const std::string text = read_gzip_file(path);
   Parser parser(path.string());
   std::string_view rest = text;
   for (std::size_t number = 1; !rest.empty(); ++number) {
@@ -277,9 +252,10 @@ G2oGraph read_g2o(const std::filesystem::path& path) {
 
 void write_g2o(const G2oGraph& graph, const std::filesystem::path& path) {
   const std::string text = text_of(graph);
-  if (!(path.extension() == ".gz" ? write_gz(text, path) : write_plain(text, path))) {
-    throw std::runtime_error("cannot write " + path.string());
-  }
+  if (path.extension() != ".gz") return write_text_file(text, path);
+  NewFile file(path);
+  if (!write_gz(text, file.part())) throw std::runtime_error("cannot write " + path.string());
+  file.publish();
 }
 
 }  // namespace adit

@@ -12,6 +12,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/config/nearest_name.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -58,7 +59,7 @@ std::string parse_channel(TokenStream& tokens) {
   std::string channel = parse_string(tokens);
   if (!is_channel_name(channel)) {
     tokens.fail(position,
-                "\"" + channel + "\" is not a channel name: at most 63 of A to Z, 0 to 9 and _");
+                quote(channel, '"') + " is not a channel name: at most 63 of A to Z, 0 to 9 and _");
   }
   return channel;
 }
@@ -120,7 +121,7 @@ const SetAttribute& attribute(TokenStream& tokens, const ListToken& word, std::s
   const auto found = attributes().find(name);
   if (found != attributes().end()) return found->second;
   const std::string nearest = nearest_name(name, attribute_names());
-  tokens.fail(word.position, "unknown attribute '" + name + "'" +
+  tokens.fail(word.position, "unknown attribute " + quote(name) +
                                  (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
@@ -128,7 +129,7 @@ void parse_attribute(TokenStream& tokens, Draft& draft, std::set<std::string>& s
   const ListToken word = tokens.expect(Kind::kWord, "an attribute of the command or '}'");
   const SetAttribute& set = attribute(tokens, word, word.text);
   if (!seen.insert(word.text == "host" ? "deputy" : word.text).second) {
-    tokens.fail(word.position, "duplicate attribute '" + word.text + "'");
+    tokens.fail(word.position, "duplicate attribute " + quote(word.text));
   }
   tokens.expect(Kind::kAssign, "'='");
   set(tokens, draft);
@@ -143,11 +144,11 @@ std::string parse_name(TokenStream& tokens) {
 
 ListedCommand finished(const TokenStream& tokens, const TextPosition& position, Draft draft) {
   if (draft.command.exec.empty()) {
-    tokens.fail(position, "command \"" + draft.command.id + "\" has no exec");
+    tokens.fail(position, "command " + quote(draft.command.id, '"') + " has no exec");
   }
   if (draft.rate_hz && !draft.channel) {
-    tokens.fail(position,
-                "command \"" + draft.command.id + "\" has alive_rate_hz but no alive_channel");
+    tokens.fail(position, "command " + quote(draft.command.id, '"') +
+                              " has alive_rate_hz but no alive_channel");
   }
   if (draft.channel)
     draft.command.alive = LivenessSignal{*draft.channel, draft.rate_hz.value_or(1.0)};
@@ -226,7 +227,8 @@ void require_group_path(const TokenStream& tokens, const TextPosition& position,
   std::istringstream parts(path);
   bool valid = !path.ends_with('/');
   for (std::string part; std::getline(parts, part, '/');) valid = valid && is_name(part);
-  if (!valid) tokens.fail(position, "\"" + path + "\" is not a group path: names separated by /");
+  if (!valid)
+    tokens.fail(position, quote(path, '"') + " is not a group path: names separated by /");
 }
 
 ListedCommand parse_listed_command(TokenStream& tokens, const std::string& group) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/process_list/parser.hpp"
 
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -11,10 +10,12 @@
 #include <vector>
 
 #include "common/config/config_file.hpp"
-#include "common/config/text_check.hpp"
+#include "common/files/file_utils.hpp"
 #include "common/process_list/command_line.hpp"
 #include "common/process_list/item_parser.hpp"
 #include "common/process_list/process_list.hpp"
+#include "common/text/message_text.hpp"
+#include "common/text/text_check.hpp"
 
 namespace adit {
 namespace {
@@ -26,7 +27,7 @@ std::string validation_error(const ProcessList& list);
 
 using Links = std::map<std::string, std::vector<std::string>>;
 
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+std::string quoted(const std::string& name) { return quote(name, '"'); }
 
 template <class Named, class Name>
 std::string duplicate_name(const std::vector<Named>& all, Name name, const std::string& what) {
@@ -186,9 +187,13 @@ ProcessList parse_process_list(std::string_view text, const std::string& name) {
 }
 
 ProcessList read_process_list(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) throw ConfigError(path.string() + ": cannot be read");
+  constexpr std::size_t kBytesMax = std::size_t{256} << 10;  // thousands of commands
+  std::string text;
+  try {
+    text = read_text_file(path, kBytesMax);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(error.what());
+  }
   return parse_process_list(text, path.string());
 }
 

@@ -9,6 +9,7 @@
 
 #include "common/config/config_file.hpp"
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -107,25 +108,17 @@ ListToken ListTokenizer::next() {
 
 namespace {
 
-/// Appends stepwise: GCC 12 gives a false warning for a sum of strings here (bug 105651).
-std::string between_quotes(std::string_view text, char quote) {
-  std::string result(1, quote);
-  result += text;
-  result += quote;
-  return result;
-}
-
 std::string description_of(const ListToken& token) {
   if (token.kind == Kind::kEndOfFile) return "the end of the file";
-  if (token.kind == Kind::kString) return between_quotes(token.text, '"');
-  return between_quotes(token.text, '\'');
+  if (token.kind == Kind::kString) return quote(token.text, '"');
+  return quote(token.text);
 }
 
 std::string alternatives(std::initializer_list<std::string_view> texts, bool in_quotes) {
   std::string text;
   for (const std::string_view* item = texts.begin(); item != texts.end(); ++item) {
     if (item != texts.begin()) text += item + 1 == texts.end() ? " or " : ", ";
-    text += in_quotes ? between_quotes(*item, '"') : std::string(*item);
+    text += in_quotes ? quote(*item, '"') : std::string(*item);
   }
   return text;
 }

@@ -57,11 +57,15 @@ class LastReceived {
     return at_us_ && *age_s(now_us) <= timeout_s;
   }
 
-  /// "laser front stale for 0.31 s" or "no pose received yet"; nothing while the data is fresh.
+  /// "laser front stale for 0.31 s" or "no pose received yet"; nothing while the data is fresh. Of
+  /// time stamps that no outage explains (a clock that starts at the epoch) no age is stated.
   [[nodiscard]] std::optional<std::string> staleness(const char* source, std::int64_t now_us,
                                                      double timeout_s) const {
     if (!at_us_) return fmt::format("no {} received yet", source);
     if (is_fresh(now_us, timeout_s)) return std::nullopt;
+    if (*age_s(now_us) > kAgeStatedMaxS) {
+      return fmt::format("{} stale: its time stamps are more than a day old", source);
+    }
     return fmt::format("{} stale for {:.2f} s", source, *age_s(now_us));
   }
 
@@ -73,6 +77,8 @@ class LastReceived {
   }
 
  private:
+  static constexpr double kAgeStatedMaxS = 86400.0;
+
   std::optional<std::int64_t> at_us_;
 };
 

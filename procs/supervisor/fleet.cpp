@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 namespace {
 
@@ -19,9 +21,9 @@ Fleet::Fleet(const SupervisorSetup& setup, const RestartBackoff& backoff)
 
 void Fleet::require_change_allowed(const std::string& id) {
   const ListedCommand* const command = setup_.list.find(id);
-  if (!command) throw std::invalid_argument("no process \"" + id + "\" in the list");
+  if (!command) throw std::invalid_argument("no process " + quote(id, '"') + " in the list");
   if (!setup_.in_charge && command->deputy != setup_.deputy) {
-    throw std::invalid_argument("\"" + id + "\" runs on " + command->deputy +
+    throw std::invalid_argument(quote(id, '"') + " runs on " + command->deputy +
                                 ", and this supervisor is not in charge");
   }
 }
@@ -139,7 +141,7 @@ bool FleetScript::advance(Fleet& fleet, std::int64_t now_us) {
     if (!run_->is_finished()) return changed;
     failure_ = run_->failure();
   } catch (const std::invalid_argument& rejection) {
-    failure_ = "script \"" + run_->name() + "\": " + rejection.what();
+    failure_ = "script " + quote(run_->name(), '"') + ": " + rejection.what();
   }
   run_.reset();
   return changed;
@@ -147,7 +149,7 @@ bool FleetScript::advance(Fleet& fleet, std::int64_t now_us) {
 
 bool FleetScript::abort(const std::string& reason) {
   if (!run_) return false;
-  failure_ = "script \"" + run_->name() + "\" " + reason;
+  failure_ = "script " + quote(run_->name(), '"') + " " + reason;
   run_.reset();
   return true;
 }

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 
 std::string first_problem(const ProcessManager& process_manager) {
@@ -57,18 +59,26 @@ std::string status_note(Fleet& fleet, const ManagedProcess& process, std::int64_
   return note;
 }
 
+/// All restarts, and in parentheses those without a stable run in between, which count for the
+/// restart limit.
+std::string restarts_text(const ProcessLifecycle& lifecycle) {
+  const std::string total = std::to_string(lifecycle.total_restarts());
+  const int recent = lifecycle.restarts();
+  return recent > 0 ? total + " (" + std::to_string(recent) + ")" : total;
+}
+
 std::string status_row(Fleet& fleet, const ListedCommand& command, std::int64_t now_us) {
   std::ostringstream out;
   out << command.id << '\t' << command.deputy << '\t' << command.group << '\t';
   if (const ManagedProcess* const process = fleet.process_manager().find(command.id)) {
     out << name_of(process->lifecycle().state()) << '\t' << process->pid() << '\t'
         << process->usage().cpu_cores << '\t' << process->usage().memory_bytes << '\t'
-        << process->lifecycle().restarts() << '\t' << status_note(fleet, *process, now_us);
+        << restarts_text(process->lifecycle()) << '\t' << status_note(fleet, *process, now_us);
   } else if (const auto status = fleet.remotes().status(command.id, now_us)) {
     out << state_of(*status) << '\t' << status->pid << '\t' << status->cpu_cores << '\t'
-        << status->memory_bytes << "\t0\t";
+        << status->memory_bytes << "\t-\t";  // procman's status has no restarts
   } else {
-    out << "unknown\t0\t0\t0\t0\tno status from " << command.deputy << " for five seconds";
+    out << "unknown\t0\t0\t0\t-\tno status from " << command.deputy << " for five seconds";
   }
   return out.str();
 }
@@ -101,7 +111,7 @@ std::string text_since(Fleet& fleet, const std::string& id, std::int64_t& next) 
 
 ControlResponse logs_response(Fleet& fleet, const std::string& id, bool follow) {
   const ListedCommand* const listed = fleet.setup().list.find(id);
-  if (!listed) throw std::invalid_argument("no process \"" + id + "\" in the list");
+  if (!listed) throw std::invalid_argument("no process " + quote(id, '"') + " in the list");
   std::int64_t next = 0;
   ControlResponse response{text_since(fleet, id, next)};
   if (!fleet.output(id)) response.text = "(no output received from " + listed->deputy + ")\n";

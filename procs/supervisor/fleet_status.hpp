@@ -22,7 +22,8 @@ bool any_failed(const ProcessManager& process_manager);
 std::string running_count_text(const ProcessManager& process_manager);
 
 /// A line per process, in list order, fields separated by tabs: id, deputy, group, state, process
-/// id, CPU usage [cores], memory [bytes], restarts, note (error or what the process waits for).
+/// id, CPU usage [cores], memory [bytes], restarts (all, recent), note (error or what the process
+/// waits for).
 std::string status_rows(Fleet& fleet, std::int64_t now_us);
 
 /// Output of a process and, with `follow`, its further output; the fleet must then outlive the

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/process_list/process_list.hpp"
+#include "common/text/message_text.hpp"
 #include "procs/supervisor/fleet_status.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
@@ -143,7 +144,7 @@ ControlResponse Supervisor::handle_request(const std::vector<std::string>& field
   }
   if (verb == "reload" && names.empty()) return {reload(steady_us())};
   const auto found = kChanges.find(verb);
-  if (found == kChanges.end()) throw std::invalid_argument("unknown request \"" + verb + "\"");
+  if (found == kChanges.end()) throw std::invalid_argument("unknown request " + quote(verb, '"'));
   change({found->second, names.empty() ? setup_.list.ids_of({}) : names}, steady_us());
   return {};
 }

@@ -62,6 +62,9 @@ class Supervisor {
     return relay_.take(fleet_.process_manager(), setup_.deputy, utime);
   }
 
+  /// The deputy_id.
+  [[nodiscard]] const std::string& name() const { return setup_.deputy; }
+
   /// The alive_channels of the list.
   [[nodiscard]] std::set<std::string> liveness_channels() const;
 

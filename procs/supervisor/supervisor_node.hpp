@@ -7,6 +7,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "procs/supervisor/procman/name_claim.hpp"
 #include "procs/supervisor/supervisor.hpp"
 
 namespace adit {
@@ -16,6 +17,9 @@ namespace adit {
 /// Out: PM_INFO (deputy_info_t) at 1 Hz and on change; PM_OUTPUT (output_t); if in charge,
 /// PM_ORDERS
 ///      (orders_t) for other deputies at 1 Hz and on change.
+///      PM_DISCOVER (discovery_t) before it starts.
+/// Before anything else it listens for another supervisor of its name (NameClaim); if there is one,
+/// a handler of the bus throws std::runtime_error, which ends the program.
 /// Uses wall clock time even if bus time is simulated. The destructor stops the processes and waits
 /// until they have ended.
 class SupervisorNode {
@@ -32,6 +36,7 @@ class SupervisorNode {
  private:
   void subscribe_to_procman();
   void subscribe_to_liveness();
+  void claim_name();
   void advance();
   void publish_each_second();
   void publish_info();
@@ -40,6 +45,7 @@ class SupervisorNode {
 
   Bus& bus_;
   Supervisor supervisor_;
+  NameClaim claim_;
   std::set<std::string> liveness_channels_;  // subscribed
 };
 

@@ -9,6 +9,7 @@
 #include "common/process_list/process_list.hpp"
 #include "procs/supervisor/management/process_lifecycle.hpp"
 #include "procs/supervisor/os/process_log.hpp"
+#include "procs/supervisor/procman/name_claim.hpp"
 
 namespace adit {
 
@@ -26,6 +27,7 @@ struct SupervisorParams {
   double log_file_max_mb = 4.0;    ///< maximum size of a log file before rotation
   int log_files = 5;               ///< log files per process, the current one included
   RestartBackoff restart;
+  double listen_s = NameClaim::kListenS;  ///< before the start: for another of the same name
 
   template <class V>
   void visit(V& v) {
@@ -42,6 +44,7 @@ struct SupervisorParams {
     v("log_file_max_mb", log_file_max_mb, within(0.01, 1000.0));
     v("log_files", log_files, within(1, 100));
     v("restart", restart);
+    v("listen_s", listen_s, within(0.0, 60.0));
   }
 };
 

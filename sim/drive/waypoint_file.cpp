@@ -3,7 +3,6 @@
 #include "sim/drive/waypoint_file.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <istream>
 #include <sstream>
 #include <stdexcept>
@@ -12,6 +11,8 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/world/built_in_world_files.hpp"
 
 namespace adit {
@@ -27,7 +28,7 @@ std::vector<std::string> split(const std::string& line) {
 double parse(const std::string& field) {
   const auto value = parse_number<double>(field);
   if (!value || !std::isfinite(*value)) {
-    throw std::runtime_error(fmt::format("'{}' is not a number", field));
+    throw std::runtime_error(fmt::format("{} is not a number", quote(field)));
   }
   return *value;
 }
@@ -64,10 +65,7 @@ std::vector<Waypoint> parse_waypoints(std::istream& text, const std::string& nam
 }  // namespace
 
 std::vector<Waypoint> read_waypoints(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  }
+  std::istringstream file(read_text_file(path));
   return parse_waypoints(file, path.string());
 }
 
@@ -77,7 +75,7 @@ std::vector<Waypoint> built_in_drive(const std::string& world) {
     std::istringstream text(file.drive);
     return parse_waypoints(text, world + "_drive.txt");
   }
-  throw std::runtime_error(fmt::format("there is no built-in drive through '{}'", world));
+  throw std::runtime_error(fmt::format("there is no built-in drive through {}", quote(world)));
 }
 
 }  // namespace adit

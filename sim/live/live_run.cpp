@@ -15,8 +15,10 @@
 #include "common/bus/lcm_transport.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
+#include "common/command_line/command_line.hpp"
 #include "common/config/config.hpp"
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/live/live_simulator.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/world/build_world.hpp"
@@ -26,18 +28,9 @@ namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
 constexpr std::int64_t kWaitMaxUs = 50'000;  // limits the delay of a signal to stop
+constexpr double kSpeedFactorMax = 1e6;
 constexpr int kQuietMs = 500;
 constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
-
-std::optional<double> factor_from(const std::string& text) {
-  if (text == "max") return std::nullopt;
-  const auto factor = parse_number<double>(text);
-  if (!factor || !(*factor > 0.0 && *factor <= 1e6)) {
-    throw CLI::ValidationError("--speed",
-                               fmt::format("'{}' is neither a positive number nor max", text));
-  }
-  return factor;
-}
 
 std::int64_t full_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -83,6 +76,17 @@ void drain(LcmBus& bus) {
 
 }  // namespace
 
+std::optional<double> speed_factor(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  const auto factor = parse_number<double>(text);
+  if (!factor || !(*factor > 0.0 && *factor <= kSpeedFactorMax)) {
+    throw CLI::ValidationError(
+        "--speed", fmt::format("{} is neither max nor a number above 0, at most {:g}", quote(text),
+                               kSpeedFactorMax));
+  }
+  return factor;
+}
+
 const char* const kLiveRunFooter =
     R"(WORLD is a built-in world, `random`, a world file (.yaml) or a mesh (.obj, .ply, ..).
 
@@ -102,7 +106,7 @@ Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, at a simulated time:
 void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option_function<std::string>(
          "--speed",
-         [&options](const std::string& text) { options.pacing.factor = factor_from(text); },
+         [&options](const std::string& text) { options.pacing.factor = speed_factor(text); },
          "Simulated time per real time, or max: as fast as possible (default 1)")
       ->type_name("F|max");
   app.add_option("--wait-for", options.pacing.wait_for, "Stages that the simulator waits for")
@@ -111,13 +115,13 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--ahead-max-s", options.pacing.ahead_max_s,
                  "Maximum lead over the slowest of these stages, in simulated time")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.05, 10.0))
+      ->check(number_in(within(0.05, 10.0)))
       ->capture_default_str();
   app.add_option("--outage-max-s", options.pacing.outage_max_s,
                  "Simulated time for which a stage that a fault has killed or suspended is not "
                  "waited for (default: until it answers again)")
       ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_in(at_least(0.0)));
   app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
   app.add_option("--fault", options.faults, "Injects a fault; may be given several times")
       ->type_name("FAULT")
@@ -133,10 +137,10 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--start-utime", options.start_utime,
                  "Simulated time at the start, µs since the epoch (default: the system clock)")
       ->type_name("USEC")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(within(1.0, 1e16)));
   app.add_option("--for", options.for_s, "Ends after this simulated time")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0)));
 }
 
 void run_live(const WorldChoice& world, const LiveRunOptions& options) {
@@ -150,7 +154,7 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   const Site site(build_world(description));
 
   if (const auto advice = receive_buffer_advice(options.lcm_url)) {
-    std::cerr << options.program << ": " << *advice << std::endl;
+    print_error(options.program, *advice);
   }
   LcmBus bus(bus_options(options));
   LiveSimulator simulator(bus, site, description, params, with_record_stage(options),

@@ -31,6 +31,10 @@ struct LiveRunOptions {
   bool print_config = false;  ///< write the configuration in effect to standard output and exit
 };
 
+/// Parses the value of --speed: a multiple of real time, or nothing for `max`. Throws
+/// CLI::ValidationError.
+std::optional<double> speed_factor(const std::string& text);
+
 /// The options of a live run, for `adit-sim` and `adit sim`.
 void add_live_run_options(CLI::App& app, LiveRunOptions& options);
 

@@ -13,6 +13,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/live/sim_config.hpp"
 
 namespace adit {
@@ -69,9 +70,7 @@ void ProgressReporter::update(const Simulation& simulation, std::int64_t start_u
                       simulation.vehicle().state()));
 }
 
-void ProgressReporter::print(const std::string& what) const {
-  std::cerr << fmt::format("{}: {}\n", program_, what) << std::flush;
-}
+void ProgressReporter::print(const std::string& what) const { print_error(program_, what); }
 
 LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
                              const SimulationParams& params, const LiveRunOptions& options,

@@ -13,9 +13,11 @@
 #include <fmt/format.h>
 
 #include "common/bus/node/stages.hpp"
+#include "common/command_line/command_line.hpp"
 #include "common/config/config.hpp"
 #include "common/config/number_text.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/world/world_file.hpp"
 
 namespace adit {
@@ -39,7 +41,7 @@ constexpr std::array<Kind, 6> kKinds{{{"laser_dies", Target::kLaser, false},
 constexpr const char* kForm = "a fault is KIND[:TARGET][=AMOUNT]@SECONDS";
 
 [[noreturn]] void fail(std::string_view fault, const std::string& reason) {
-  throw std::invalid_argument(fmt::format("fault '{}': {}", fault, reason));
+  throw std::invalid_argument(fmt::format("fault {}: {}", quote(fault), reason));
 }
 
 const Kind& kind_of(const FaultDescription& fault) {
@@ -51,9 +53,9 @@ const Kind& kind_of(const FaultDescription& fault) {
 }
 
 double number(const std::string& text, const std::string& fault) {
-  const auto value = parse_number<double>(text);
-  if (!value || !std::isfinite(*value)) {
-    fail(fault, fmt::format("'{}' is not a number; {}", text, kForm));
+  const auto value = option_number(text);
+  if (!value) {
+    fail(fault, fmt::format("{} is not a number; {}", quote(text), kForm));
   }
   return *value;
 }

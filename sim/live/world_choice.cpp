@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 
+#include "common/command_line/command_line.hpp"
 #include "sim/world/random/random_mine.hpp"
 #include "sim/world/world_file.hpp"
 
@@ -34,11 +35,11 @@ CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
       "file, or a mesh");
   app.add_option("--seed", choice.seed, "Seed of everything random, instead of that of the world")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_in(at_least(0.0)));
   app.add_option("--length-m", choice.length_m,
                  "Approximate length of all tunnels of a random mine")
       ->type_name("METRES")
-      ->check(CLI::Range(30.0, 5000.0));
+      ->check(number_in(within(30.0, 5000.0)));
   app.add_option("--topology", choice.topology, "Topology of a random mine")
       ->type_name("NAME")
       ->check(CLI::IsMember({"any", "parallel_entries", "room_and_pillar", "branching", "ring"}));
@@ -46,7 +47,7 @@ CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
          "--damage", choice.damage,
          "Fraction of the tunnels of a random mine with roof falls, water, pits or low roof")
       ->type_name("SHARE")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(within(0.0, 1.0)));
   return world;
 }
 

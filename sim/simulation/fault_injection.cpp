@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 namespace {
 
@@ -19,8 +21,8 @@ bool is_laser_fault(const FaultDescription& fault) {
 
 void check(const FaultDescription& fault) {
   if (is_laser_fault(fault) && fault.target != "front" && fault.target != "rear") {
-    throw std::invalid_argument(fmt::format("fault {}: no laser '{}'; lasers are front and rear",
-                                            fault.kind, fault.target));
+    throw std::invalid_argument(fmt::format("fault {}: no laser {}; lasers are front and rear",
+                                            fault.kind, quote(fault.target)));
   }
   if (fault.kind == "packet_loss" && !(fault.amount >= 0.0 && fault.amount <= 1.0)) {
     throw std::invalid_argument("fault packet_loss: the amount must be a fraction, 0 to 1");

@@ -29,9 +29,9 @@ struct FaultDescription {
   void visit(V& v) {
     v("kind", kind,
       OneOf({"laser_dies", "laser_recovers", "time_jump", "packet_loss", "kill", "suspend"}));
-    v("at_s", at_s, at_least(0.0));
+    v("at_s", at_s, within(0.0, 1e9));
     v("target", target);
-    v("amount", amount);
+    v("amount", amount, within(-1e9, 1e9));
   }
 };
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/vehicle/surroundings.hpp"
 
 namespace adit {
@@ -109,7 +110,8 @@ constexpr int kPutRounds = 8;
 constexpr double kAnyChange = std::numeric_limits<double>::infinity();
 
 std::string at_step(std::size_t wheel, double step_m, const Part& part) {
-  return fmt::format("{} at a step of {:.2f} m of '{}'", kWheelNames[wheel], step_m, part.name);
+  return fmt::format("{} at a step of {:.2f} m of {}", kWheelNames[wheel], step_m,
+                     quote(part.name));
 }
 
 std::string tips_over(const char* tilt, double angle_rad) {
@@ -185,7 +187,7 @@ Stance::Fault Stance::sink(const Pose2& T_world_plan) {
     const Sinkage sinkage = sinkage_at(site_.world(), p_world_wheel(i, T_world_plan));
     sinkage_m_[i] = sinkage.depth_m;
     if (sinkage.depth_m > vehicle_.sinkage_max_m) {
-      return fmt::format("{} stuck in '{}', sinkage {:.2f} m", kWheelNames[i], sinkage.name,
+      return fmt::format("{} stuck in {}, sinkage {:.2f} m", kWheelNames[i], quote(sinkage.name),
                          sinkage.depth_m);
     }
   }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
 #include "sim/vehicle/surroundings.hpp"
 
 namespace adit {
@@ -93,11 +94,11 @@ Pose2 VehicleModel::next_place() const {
 std::optional<std::string> VehicleModel::check_surroundings() {
   unchecked_m_ = 0.0;
   if (const auto part = colliding_part(site_.scene(), vehicle_, motion_.T_world_body)) {
-    return fmt::format("collision with '{}'", *part);
+    return fmt::format("collision with {}", quote(*part));
   }
   const auto water = water_above(site_.world(), motion_.T_world_body.translation());
   if (water && water->depth_m > vehicle_.wading_depth_max_m) {
-    return fmt::format("in water '{}' of {:.2f} m", water->name, water->depth_m);
+    return fmt::format("in water {} of {:.2f} m", quote(water->name), water->depth_m);
   }
   return std::nullopt;
 }

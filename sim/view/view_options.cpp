@@ -10,12 +10,13 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
 
 [[noreturn]] void fail(const std::string& text) {
-  throw std::invalid_argument(fmt::format("'{}' is not a pose X,Y,HEADING_DEG", text));
+  throw std::invalid_argument(fmt::format("{} is not a pose X,Y,HEADING_DEG", quote(text)));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
 #include "sim/mesh/mesh_file.hpp"
 #include "sim/mesh/mesh_slice.hpp"
 #include "sim/mesh/triangle_mesh.hpp"
@@ -303,7 +304,7 @@ void check_start(const std::vector<Level>& levels, const WorldDescription& descr
   std::string advice;
   if (nearest != nullptr) {
     const Eigen::Vector2d p = nearest->at(nearest->place_of(start).s_m).p_world;
-    advice = fmt::format("; the nearest tunnel, '{}', is at x {:.1f}, y {:.1f}", nearest->name,
+    advice = fmt::format("; the nearest tunnel, {}, is at x {:.1f}, y {:.1f}", quote(nearest->name),
                          p.x(), p.y());
   }
   throw std::invalid_argument(

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -24,8 +25,9 @@ constexpr double kCurveLength = 8.0;    // over which a smooth change of slope e
 constexpr double kKnotEvery = 1.0;      // of the profile [m]
 
 [[noreturn]] void fail_grade(const std::string& name, const std::string& problem) {
-  throw std::runtime_error(fmt::format(
-      "world '{}': {}; an example with all parts is grade:-12,sudden,rough,30m", name, problem));
+  throw std::runtime_error(
+      fmt::format("world {}: {}; an example with all parts is grade:-12,sudden,rough,30m",
+                  quote(name), problem));
 }
 
 /// `30m`, if it is a length that the stretch may have.
@@ -70,7 +72,7 @@ std::optional<GradeTunnelParams> parse_grade_tunnel(const std::string& name) {
   std::getline(parts, part, ',');
   const auto percent = parse_number<double>(part);
   if (!percent || !(std::abs(*percent) <= kGradeMax)) {
-    fail_grade(name, fmt::format("'{}' is not a grade from -100 to 100 percent", part));
+    fail_grade(name, fmt::format("{} is not a grade from -100 to 100 percent", quote(part)));
   }
   params.grade_percent = *percent;
   while (std::getline(parts, part, ',')) {
@@ -81,7 +83,7 @@ std::optional<GradeTunnelParams> parse_grade_tunnel(const std::string& name) {
     } else if (const auto length = length_in(part)) {
       params.over_m = *length;
     } else {
-      fail_grade(name, fmt::format("'{}' is neither sudden, nor rough, nor 20m to 50m", part));
+      fail_grade(name, fmt::format("{} is neither sudden, nor rough, nor 20m to 50m", quote(part)));
     }
   }
   return params;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -31,7 +32,7 @@ constexpr double kWallRelief = 0.01;  // [m]
 
 [[noreturn]] void fail_narrow(const std::string& name, const std::string& problem) {
   throw std::runtime_error(
-      fmt::format("world '{}': {}; an example is narrow:1.5,bent", name, problem));
+      fmt::format("world {}: {}; an example is narrow:1.5,bent", quote(name), problem));
 }
 
 /// A centre line under construction.
@@ -76,7 +77,7 @@ std::optional<NarrowTunnelParams> parse_narrow_tunnel(const std::string& name) {
   std::getline(parts, part, ',');
   const auto width = parse_number<double>(part);
   if (!width || !(*width >= kWidthMin && *width <= kWidthMax)) {
-    fail_narrow(name, fmt::format("'{}' is not a width from 1.2 to 3 m", part));
+    fail_narrow(name, fmt::format("{} is not a width from 1.2 to 3 m", quote(part)));
   }
   params.width_m = *width;
   while (std::getline(parts, part, ',')) {
@@ -87,7 +88,7 @@ std::optional<NarrowTunnelParams> parse_narrow_tunnel(const std::string& name) {
     } else if (part == "necked") {
       params.shape = NarrowTunnelParams::Shape::kNecked;
     } else {
-      fail_narrow(name, fmt::format("'{}' is neither straight, nor bent, nor necked", part));
+      fail_narrow(name, fmt::format("{} is neither straight, nor bent, nor necked", quote(part)));
     }
   }
   return params;

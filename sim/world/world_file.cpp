@@ -8,6 +8,7 @@
 
 #include "common/config/config.hpp"
 #include "common/config/nearest_name.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/world/built_in_world_files.hpp"
 #include "sim/world/grade_tunnel.hpp"
 #include "sim/world/narrow_tunnel.hpp"
@@ -60,11 +61,12 @@ WorldDescription from_mesh(const std::filesystem::path& path) {
   known.emplace_back("grade:PERCENT");
   known.emplace_back("narrow:METRES");
   const std::string nearest = nearest_name(name, known);
-  const std::string advice = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  const std::string advice =
+      nearest.empty() ? "" : fmt::format("; did you mean {}?", quote(nearest));
   throw std::runtime_error(
-      fmt::format("no world '{}', and no file of that name{}; there are {}, "
+      fmt::format("no world {}, and no file of that name{}; there are {}, "
                   "or the path of a world file (.yaml) or of a mesh",
-                  name, advice, fmt::join(known, ", ")));
+                  quote(name), advice, fmt::join(known, ", ")));
 }
 
 WorldDescription from_path(const std::string& name) {

@@ -10,6 +10,8 @@
 
 #include "common/bus/node/version.hpp"
 #include "common/command_line/command_line.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -66,19 +68,29 @@ Examples:
                              help.examples));
 }
 
-int run_adit(int argc, const char* const* argv) try {
-  const auto app = make_adit_app();
-  if (const auto exit_code = parse_command_line(*app, argc, argv)) return *exit_code;
-  if (!app->get_subcommands().empty()) return 0;
-  std::cerr << app->help();
+namespace {
+
+int run_command(CLI::App& app, int argc, const char* const* argv) try {
+  if (const auto exit_code = parse_command_line(app, argc, argv)) return *exit_code;
+  if (!app.get_subcommands().empty()) return 0;
+  std::cerr << app.help();
   return kExitUnusable;
 } catch (const CLI::RuntimeError& error) {  // a command has printed the reason
   return error.get_exit_code();
+}
+
+}  // namespace
+
+int run_adit(int argc, const char* const* argv) try {
+  const auto app = make_adit_app();
+  const int exit_code = run_command(*app, argc, argv);
+  finish_standard_output();
+  return exit_code;
 } catch (const CLI::ParseError& error) {
-  std::cerr << fmt::format("adit: {}; see adit --help\n", error.what());
+  print_error("adit", fmt::format("{}; see adit --help", error.what()));
   return kExitUnusable;
 } catch (const std::exception& error) {
-  std::cerr << fmt::format("adit: {}\n", error.what());
+  print_error("adit", error.what());
   return kExitUnusable;
 }
 

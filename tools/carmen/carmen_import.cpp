@@ -33,7 +33,7 @@ constexpr double kJudgedShare = 0.4;
 
 void copy_readings(CarmenReader& reader, const std::filesystem::path& lcm_log,
                    const std::function<void(double)>& progress) {
-  LogWriter log(lcm_log);
+  LogWriter log(lcm_log, LogWriter::Name::kWhenClosed);
   ReorderBuffer<CarmenRecord> in_order(
       [&](const CarmenRecord& record) { std::visit(ReadingWriter{log}, record); });
   while (auto record = reader.next()) {
@@ -42,7 +42,8 @@ void copy_readings(CarmenReader& reader, const std::filesystem::path& lcm_log,
     progress(kJudgedShare + (1.0 - kJudgedShare) * reader.fraction_read());
   }
   in_order.flush();
-  log.close();
+  const CarmenReport& report = reader.report();
+  if (report.scans + report.odometry_lines > 0) log.close();
 }
 
 }  // namespace
@@ -69,7 +70,6 @@ CarmenReport import_carmen(const std::filesystem::path& carmen_log,
   copy_readings(reader, lcm_log, progress);
   const CarmenReport& report = reader.report();
   if (report.scans + report.odometry_lines == 0) {
-    std::filesystem::remove(lcm_log);
     throw std::runtime_error(
         fmt::format("no valid FLASER, ROBOTLASER1 or ODOM line in {}", carmen_log.string()));
   }

@@ -66,6 +66,7 @@ std::size_t CarmenReport::rejected_lines() const {
 std::vector<std::string> CarmenReport::messages() const {
   std::vector<std::string> result;
   for (const Rejected& entry : rejected) result.push_back(message(entry));
+  if (!damage.empty()) result.push_back(damage);
   return result;
 }
 
@@ -97,6 +98,7 @@ std::optional<CarmenRecord> CarmenReader::next() {
       return record;
     }
   }
+  report_.damage = source_.damage();
   return std::nullopt;
 }
 

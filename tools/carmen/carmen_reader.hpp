@@ -36,9 +36,11 @@ struct CarmenReport {
   std::size_t rejected_scans = 0;  ///< FLASER and ROBOTLASER1 lines
   std::vector<Rejected> rejected;  ///< in the order of first occurrence
   TimeChoice times;                ///< the times that the readings have
+  std::string damage;              ///< what is lost of a compressed file; empty if it is intact
 
   [[nodiscard]] std::size_t rejected_lines() const;
-  /// One text per reason: "lines 155, 177, 196 and 858 more: timestamp not positive".
+  /// What was skipped. One text per reason, "lines 155, 177, 196 and 858 more: timestamp not
+  /// positive", and the damage.
   [[nodiscard]] std::vector<std::string> messages() const;
 };
 

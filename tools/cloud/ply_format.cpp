@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -107,7 +108,8 @@ namespace {
 using Element = PlyHeader::Element;
 
 std::string truncated(const Element& element) {
-  return fmt::format("file truncated: header announces {} of '{}'", element.count, element.name);
+  return fmt::format("file truncated: header announces {} of {}", element.count,
+                     quote(element.name));
 }
 
 }  // namespace

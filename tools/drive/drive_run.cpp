@@ -78,7 +78,7 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
   const Site site(build_world(world));
 
   const auto start = std::chrono::steady_clock::now();
-  LogWriter log(options.log);
+  LogWriter log(options.log, LogWriter::Name::kWhenClosed);
   MemoryBus bus;
   bus.tap([&log](const ReceivedMessage& message) {
     log.write({message.utime, message.channel, message.bytes});

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -14,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "common/files/file_utils.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -25,17 +26,9 @@ using Keys = std::map<std::string, std::string>;
   throw std::runtime_error(fmt::format("{}: {}", path.string(), reason));
 }
 
-std::ifstream open(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) {
-    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  }
-  return in;
-}
-
 /// Lines `key: value`; the YAML file has no nesting.
 Keys read_keys(const std::filesystem::path& path) {
-  std::ifstream in = open(path);
+  std::istringstream in(read_text_file(path));
   Keys keys;
   for (std::string line; std::getline(in, line);) {
     const std::size_t colon = line.find(": ");
@@ -56,7 +49,7 @@ std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
   std::istringstream stream(text);
   std::vector<double> values{std::istream_iterator<double>(stream), {}};
   if (values.size() != count) {
-    fail(path, fmt::format("cannot use '{}' as {}", found->second, key));
+    fail(path, fmt::format("cannot use {} as {}", quote(found->second), key));
   }
   return values;
 }
@@ -77,7 +70,7 @@ int next_number(std::istream& in) {
 }
 
 GreyImage read_pgm(const std::filesystem::path& path) {
-  std::ifstream in = open(path);
+  std::istringstream in(read_text_file(path));
   std::string magic;
   in >> magic;
   GreyImage image;

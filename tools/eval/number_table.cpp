@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -34,7 +36,7 @@ std::optional<std::vector<double>> NumberTable::next() {
     std::vector<double> row;
     for (std::string token; tokens >> token;) {
       const auto value = finite_number(token);
-      if (!value) fail(fmt::format("'{}' is not a finite number", token));
+      if (!value) fail(fmt::format("{} is not a finite number", quote(token)));
       row.push_back(*value);
     }
     if (row.empty()) continue;
@@ -55,12 +57,8 @@ void NumberTable::fail(std::string_view reason) const {
   throw std::runtime_error(fmt::format("{}:{}: {}", name_, line_, reason));
 }
 
-std::ifstream open_table(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in || std::filesystem::is_directory(path)) {
-    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  }
-  return in;
+std::istringstream open_table(const std::filesystem::path& path) {
+  return std::istringstream(read_text_file(path));
 }
 
 }  // namespace adit

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iosfwd>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +35,7 @@ class NumberTable {
   std::size_t line_ = 0;
 };
 
-/// Throws std::runtime_error if the file cannot be read.
-std::ifstream open_table(const std::filesystem::path& path);
+/// The content of the file. Throws as read_text_file does.
+std::istringstream open_table(const std::filesystem::path& path);
 
 }  // namespace adit

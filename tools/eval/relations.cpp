@@ -48,7 +48,7 @@ std::vector<Relation> read_relations(std::istream& in, std::string_view name) {
 }
 
 std::vector<Relation> read_relations(const std::filesystem::path& path) {
-  std::ifstream in = open_table(path);
+  std::istringstream in = open_table(path);
   return read_relations(in, path.string());
 }
 

@@ -112,7 +112,7 @@ Trajectory read_tum(std::istream& in, std::string_view name) {
 }
 
 Trajectory read_tum(const std::filesystem::path& path) {
-  std::ifstream in = open_table(path);
+  std::istringstream in = open_table(path);
   return read_tum(in, path.string());
 }
 

@@ -17,6 +17,7 @@
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/sensing/seconds.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
@@ -49,7 +50,7 @@ std::string association_line(const Association& a) {
       seconds(a.utime), decision_text(a), a.loop_closure.id, a.loop_closure.newer_map,
       alternative.older_map, choice(a.chosen), choice(a.previously_chosen),
       a.loop_closure.alternatives.size(), T.x, T.y, rad_to_deg(T.theta), alternative.log_likelihood,
-      a.log_likelihood, a.reason);
+      a.log_likelihood, message_line(a.reason));
 }
 
 Edge edge_of(const MapGraph& graph, int from, int to) {

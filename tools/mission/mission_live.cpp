@@ -140,6 +140,7 @@ class LiveMission {
     result.wall_s = seconds(wall_us() - begin_us);
     result.interrupted = stop.received();
     supervisor_.stop();
+    monitor_.require_written();
     result.last = monitor_.progress();
     result.farthest_m = monitor_.farthest_m();
     return result;

@@ -26,6 +26,7 @@ class MissionMonitor {
   MissionMonitor(Bus& bus, const std::filesystem::path& trace, const MissionStart& start);
 
   [[nodiscard]] MissionProgress progress() const { return follower_.progress(); }
+  void require_written() const { follower_.require_written(); }
   [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
   [[nodiscard]] bool has_ended() const { return follower_.has_ended(); }
   /// Failure of the simulated run, a collision; empty without.

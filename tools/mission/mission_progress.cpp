@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ostream>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -34,14 +36,14 @@ std::string progress_text(const MissionProgress& progress, double factor) {
 
 MissionFollower::MissionFollower(Bus& bus, const std::filesystem::path& file,
                                  std::function<double()> simulated_s)
-    : file_(file, std::ios::app), simulated_s_(std::move(simulated_s)) {
+    : path_(file), file_(file, std::ios::app), simulated_s_(std::move(simulated_s)) {
   const Delivery all = Delivery::queued(kPhasesQueued);
   subscribe<phase_t>(bus, channels::kPhase, all,
                      [this](const MissionPhase& phase) { on_phase(phase); });
   subscribe<stop_t>(bus, channels::kStop, all, [this](const StopOrder& order) {
     const bool is_new = std::exchange(written_stop_, order.reason) != order.reason;
     if (!order.stopped || !is_new) return;
-    file_ << fmt::format("{:g}\tSTOP\t{}", simulated_s_(), order.reason) << std::endl;
+    file_ << fmt::format("{:g}\tSTOP\t{}", simulated_s_(), message_line(order.reason)) << std::endl;
   });
   subscribe<map_correction_t>(bus, channels::kMapCorrection, all,
                               [this](const MapCorrection& correction) {
@@ -60,7 +62,7 @@ void MissionFollower::write(const MissionPhase& phase) {
                        static_cast<int>(phase.phase), phase.returning_home ? "home" : "out",
                        phase.goal_id, phase.frontier.value_or(-1),
                        phase.laser == LaserId::kFront ? "front" : "rear",
-                       phase.distance_travelled_m, phase.remaining_m, phase.reason)
+                       phase.distance_travelled_m, phase.remaining_m, message_line(phase.reason))
         << std::endl;
 }
 
@@ -71,6 +73,10 @@ void MissionFollower::set_distance_from_start(double distance_m) {
 
 MissionProgress MissionFollower::progress() const {
   return {phase_, simulated_s_(), distance_from_start_m_, local_maps_};
+}
+
+void MissionFollower::require_written() const {
+  if (!file_) throw std::runtime_error(fmt::format("cannot write {}", path_.string()));
 }
 
 bool MissionFollower::has_ended() const {

@@ -52,6 +52,8 @@ class MissionFollower {
   [[nodiscard]] MissionProgress progress() const;
   /// Largest straight-line distance of the true pose from the start.
   [[nodiscard]] double farthest_m() const { return farthest_m_; }
+  /// Throws std::runtime_error if a line of the file could not be written.
+  void require_written() const;
   /// Whether the phase has been ended for kAfterEndS.
   [[nodiscard]] bool has_ended() const;
 
@@ -59,6 +61,7 @@ class MissionFollower {
   void on_phase(const MissionPhase& phase);
   void write(const MissionPhase& phase);
 
+  std::filesystem::path path_;
   std::ofstream file_;
   std::function<double()> simulated_s_;
   MissionPhase phase_;

@@ -58,6 +58,7 @@ class MissionInProcess {
       }
     }
     log_.close();
+    follower_.require_written();
     return {.last = follower_.progress(),
             .distance_from_start_m = distance_from_start_m(),
             .farthest_m = follower_.farthest_m(),

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -20,7 +21,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/files/file_utils.hpp"
 #include "procs/supervisor/os/file_descriptor.hpp"
 
 namespace adit {
@@ -34,12 +34,19 @@ constexpr const char* kLoopback = "lo";
   throw std::system_error(errno, std::generic_category(), what);
 }
 
+/// A setting of the kernel takes one write.
+void write_setting(const std::string& text, const fs::path& path) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+}
+
 /// Files keep their owner: the user namespace maps ids to themselves.
 void map_user_to_itself(uid_t user, gid_t group) {
   const auto map = [](auto id) { return fmt::format("{0} {0} 1\n", id); };
-  write_text_file("deny", "/proc/self/setgroups");
-  write_text_file(map(user), "/proc/self/uid_map");
-  write_text_file(map(group), "/proc/self/gid_map");
+  write_setting("deny", "/proc/self/setgroups");
+  write_setting(map(user), "/proc/self/uid_map");
+  write_setting(map(group), "/proc/self/gid_map");
 }
 
 void bring_up_loopback(const FileDescriptor& socket) {

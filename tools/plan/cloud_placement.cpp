@@ -16,6 +16,7 @@
 
 #include "common/geometry/order_statistics.hpp"
 #include "common/geometry/symmetric_eigen.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -148,7 +149,8 @@ Eigen::Matrix3d upright(const std::string& up) {
     R << plan.first.transpose(), plan.second.transpose(), plan.first.cross(plan.second).transpose();
     return R;
   }
-  throw std::invalid_argument(fmt::format("'{}' is not one of the axes x, y, z, -x, -y, -z", up));
+  throw std::invalid_argument(
+      fmt::format("{} is not one of the axes x, y, z, -x, -y, -z", quote(up)));
 }
 
 Cloud place_cloud(const PointCloud& points, const CloudPlacement& placement) {

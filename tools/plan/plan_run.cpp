@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/bus/node/stages.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/result_folder.hpp"
@@ -43,7 +44,7 @@ ScanInput scan_of_points(const PlanRunOptions& options) {
 
 void print_warnings(const PlanRunOptions& options, const ScanInput& source, std::ostream& err) {
   for (const std::string& warning : source.warnings) {
-    err << fmt::format("adit: {}: {}\n", options.input.string(), warning);
+    err << message_line(fmt::format("adit: {}: {}", options.input.string(), warning)) << "\n";
   }
 }
 

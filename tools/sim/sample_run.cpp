@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "common/bus/log/lcm_log.hpp"
+#include "common/files/new_file.hpp"
 #include "sim/drive/waypoint_file.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
@@ -132,7 +133,7 @@ namespace {
 
 void write_lcm(SampleRun& run, const std::filesystem::path& path,
                const std::function<void(double)>& progress) {
-  LogWriter log(path);
+  LogWriter log(path, LogWriter::Name::kWhenClosed);
   while (const auto reading = run.next()) {
     write_reading(log, reading->odometry);
     write_reading(log, reading->scan);
@@ -143,13 +144,17 @@ void write_lcm(SampleRun& run, const std::filesystem::path& path,
 
 void write_carmen(SampleRun& run, const std::filesystem::path& path,
                   const std::function<void(double)>& progress) {
-  std::ofstream log(path);
+  NewFile file(path);
+  std::ofstream log(file.part());
   while (const auto reading = run.next()) {
     const Pose2& pose = reading->odometry.T_wheel_body;
     log << flaser_line({reading->scan, pose, reading->odometry}) << "\n";
+    if (!log) break;
     progress(run.fraction_done());
   }
-  if (!log.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+  log.close();
+  if (!log) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
+  file.publish();
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ void write(const Json& json, const std::filesystem::path& path) {
 }
 
 void write_log(const Cloud& cloud, const std::filesystem::path& file) {
-  LogWriter log(file);
+  LogWriter log(file, LogWriter::Name::kWhenClosed);
   for (const CloudFragment& fragment : split(cloud)) {
     log.write({cloud.utime, channels::kCloud, encode(to_message(fragment))});
   }

@@ -132,8 +132,9 @@ std::string header_of(const LogEventView& event, std::int64_t number) {
 
 }  // namespace
 
-LogWriter::LogWriter(const std::filesystem::path& path)
-    : path_(path.string()), file_(path, std::ios::binary | std::ios::trunc) {
+LogWriter::LogWriter(const std::filesystem::path& path, Name name) : path_(path.string()) {
+  if (name == Name::kWhenClosed) new_file_.emplace(path);
+  file_.open(new_file_ ? new_file_->part() : path, std::ios::binary | std::ios::trunc);
   require_good();
 }
 
@@ -148,6 +149,7 @@ void LogWriter::write(const LogEventView& event) {
 void LogWriter::close() {
   file_.close();
   require_good();
+  if (new_file_) new_file_->publish();
 }
 
 void LogWriter::require_good() const {

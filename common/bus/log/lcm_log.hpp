@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/files/new_file.hpp"
+
 namespace adit {
 
 /// One message of a log.
@@ -86,7 +88,12 @@ class LogParser {
 /// write fails; buffered events are known to be written only after `close`.
 class LogWriter {
  public:
-  explicit LogWriter(const std::filesystem::path& path);
+  enum class Name {
+    kFromStart,  ///< a recording, of which the part until a power loss counts
+    kWhenClosed  ///< a result, which exists as a whole or not at all (NewFile)
+  };
+
+  explicit LogWriter(const std::filesystem::path& path, Name name = Name::kFromStart);
 
   void write(const LogEventView& event);
 
@@ -99,6 +106,7 @@ class LogWriter {
   void require_good() const;
 
   std::string path_;
+  std::optional<NewFile> new_file_;
   std::ofstream file_;
   std::int64_t events_ = 0;
 };

@@ -18,6 +18,7 @@
 #include "common/bus/node/version.hpp"
 #include "common/command_line/command_line.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
@@ -77,7 +78,7 @@ LcmBusOptions bus_options(const Options& options, const std::string& stage) {
 void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options) {
   const StopSignal stop;  // before LCM starts its thread
   if (const auto advice = receive_buffer_advice(options.lcm_url)) {
-    std::cerr << program << ": " << *advice << std::endl;
+    print_error(program, *advice);
   }
   LcmBus bus(bus_options(options, node.stage));
   const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
@@ -92,18 +93,22 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
       make_command_line("Runs the stage " + stage + " on LCM until SIGINT or SIGTERM.", program);
   Options options;
   declare(*app, program, options);
-  if (const auto exit_code = parse_command_line(*app, argc, argv)) return *exit_code;
+  if (const auto exit_code = parse_command_line(*app, argc, argv)) {
+    finish_standard_output();
+    return *exit_code;
+  }
 
   const ConfiguredNode node = configure(load(options.config, stage));
   if (options.print_config) {
     std::cout << node.yaml;
+    finish_standard_output();
     return 0;
   }
   export_to_children(options);  // before any thread starts
   run_on_lcm(program, node, options);
   return 0;
 } catch (const std::exception& error) {
-  std::cerr << "adit-" << stage << ": " << error.what() << std::endl;
+  print_error("adit-" + stage, error.what());
   return kExitUnusable;
 }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 namespace {
 
@@ -160,7 +162,7 @@ std::optional<int> choose_by_rule(const std::string& rule,
   if (is_candidate) return target;
   if (rule == "right_hand") return rightmost(candidates, frontiers, T_map_body);
   if (rule == "random") return pseudo_random(candidates);
-  throw std::invalid_argument("'" + rule + "' is not a rule of exploration");
+  throw std::invalid_argument(quote(rule) + " is not a rule of exploration");
 }
 
 }  // namespace adit

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/config/text_check.hpp"
+#include "common/text/text_check.hpp"
 
 namespace adit {
 namespace {

@@ -168,7 +168,9 @@ void ProcessLifecycle::fail_or_back_off(std::int64_t now_us) {
       rules_.auto_respawn && restarts_ < rules_.restart_limit.value_or(restarts_ + 1);
   state_ = may_restart ? LifecycleState::kBackoff : LifecycleState::kFailed;
   should_run_ = may_restart;
-  if (may_restart) ++restarts_;
+  if (!may_restart) return;
+  ++restarts_;
+  ++total_restarts_;
 }
 
 std::int64_t ProcessLifecycle::backoff_us() const {

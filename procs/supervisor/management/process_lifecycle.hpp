@@ -82,6 +82,8 @@ class ProcessLifecycle {
   [[nodiscard]] bool should_run() const { return should_run_; }
   /// Consecutive restarts without a stable run.
   [[nodiscard]] int restarts() const { return restarts_; }
+  /// All restarts that were not requested, since the supervisor started.
+  [[nodiscard]] int total_restarts() const { return total_restarts_; }
   /// Reason of the last end or stop that was not requested; one clause.
   [[nodiscard]] const std::string& error() const { return error_; }
 
@@ -99,6 +101,7 @@ class ProcessLifecycle {
   bool restart_pending_ = false;  // start as soon as it has ended
   bool stop_requested_ = false;   // kRequestStop or kKill was returned
   int restarts_ = 0;
+  int total_restarts_ = 0;
   std::int64_t since_us_ = 0;  // start time of the state
   std::int64_t next_kill_us_ = 0;
   std::string error_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 namespace {
 
@@ -20,7 +22,7 @@ bool is_change(const ScriptAction& action) {
 ScriptRun::ScriptRun(const ProcessList& list, const std::string& name, double timeout_s)
     : list_(list), name_(name), timeout_s_(timeout_s) {
   const ProcessScript* const script = list.find_script(name);
-  if (!script) throw std::invalid_argument("no script \"" + name + "\"");
+  if (!script) throw std::invalid_argument("no script " + quote(name, '"'));
   calls_.push_back({script});
 }
 
@@ -67,8 +69,8 @@ bool ScriptRun::is_waiting(std::int64_t now_us, const ProcessStateOf& process_st
   if (pending != ids.end() && within_timeout) return true;
   waiting_ = nullptr;
   if (pending == ids.end()) return false;
-  failure_ = "script \"" + name_ + "\" timed out waiting for \"" + *pending + "\" to be " +
-             (running ? "running" : "stopped");
+  failure_ = "script " + quote(name_, '"') + " timed out waiting for " + quote(*pending, '"') +
+             " to be " + (running ? "running" : "stopped");
   calls_.clear();
   return true;
 }

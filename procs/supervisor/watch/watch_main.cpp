@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 #include "procs/supervisor/watch/watch.hpp"
 
 namespace {
@@ -29,6 +30,6 @@ int watch(int argc, char** argv) {
 int main(int argc, char** argv) try {
   return watch(argc, argv);
 } catch (const std::exception& error) {
-  std::cerr << "adit-watch: " << error.what() << "\n";
+  adit::print_error("adit-watch", error.what());
   return kExitUnusable;
 }

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
@@ -34,8 +35,8 @@ Eigen::Vector2d outwards(const TunnelLine& line, bool at_end) {
 
 [[noreturn]] void fail_joint(const TunnelLine& a, const TunnelLine& b, const std::string& why) {
   throw std::invalid_argument(
-      fmt::format("tunnels '{}' of level {} and '{}' of level {} have a common end, but {}", a.name,
-                  a.level, b.name, b.level, why));
+      fmt::format("tunnels {} of level {} and {} of level {} have a common end, but {}",
+                  quote(a.name), a.level, quote(b.name), b.level, why));
 }
 
 /// Adds a point at a distance from an end, unless there is one.
@@ -142,8 +143,8 @@ void LevelPlan::check_surroundings() const {
              length_m - s_m < joint.overlap_m + 2.0 * near_m);
         if (continues) continue;
         throw std::invalid_argument(fmt::format(
-            "tunnel '{}' is too close to the joint of levels {} and {} at x {:.1f}, y {:.1f}",
-            line.name, joint.low, joint.high, joint.p_world.x(), joint.p_world.y()));
+            "tunnel {} is too close to the joint of levels {} and {} at x {:.1f}, y {:.1f}",
+            quote(line.name), joint.low, joint.high, joint.p_world.x(), joint.p_world.y()));
       }
     }
   }

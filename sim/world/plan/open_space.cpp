@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 #include "sim/world/relief.hpp"
 
@@ -93,7 +94,7 @@ std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& desc
   std::vector<PlanPolygon> polygons;
   for (const PolygonDescription& polygon : descriptions) {
     polygons.push_back(
-        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
+        {corner_list(polygon.points_m, 3, fmt::format("{} {}", kind, quote(polygon.name)))});
   }
   return polygons;
 }

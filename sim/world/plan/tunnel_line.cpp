@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
@@ -22,7 +23,7 @@ constexpr double kTouchMargin = 0.01;
 constexpr double kSamePoint = 1e-3;
 
 TunnelLine line_of(const TunnelDescription& tunnel) {
-  const std::string what = fmt::format("tunnel '{}'", tunnel.name);
+  const std::string what = fmt::format("tunnel {}", quote(tunnel.name));
   TunnelLine line{tunnel.name,    corner_list(tunnel.points_m, 2, what),
                   tunnel.width_m, tunnel.entrance,
                   tunnel.rise_m,  tunnel.rise_grade,
@@ -50,8 +51,8 @@ TunnelLine crosscut(const PanelDescription& panel, int j) {
   const double x_last = x + y * std::tan(panel.slant_rad);
   const std::string name = fmt::format("{}_crosscut_{}", panel.name, j);
   if (std::min(x, x_last) < 0.0 || std::max(x, x_last) > panel.length_m) {
-    throw std::invalid_argument(
-        fmt::format("tunnel '{}' leaves its panel, which is {:f} m long", name, panel.length_m));
+    throw std::invalid_argument(fmt::format("tunnel {} leaves its panel, which is {:f} m long",
+                                            quote(name), panel.length_m));
   }
   const Pose2& T = panel.T_world_panel;
   return {name,
@@ -70,7 +71,7 @@ void check_names(const std::vector<TunnelLine>& lines) {
   std::set<std::string> names;
   for (const TunnelLine& line : lines) {
     if (!names.insert(line.name).second) {
-      throw std::invalid_argument(fmt::format("two tunnels are named '{}'", line.name));
+      throw std::invalid_argument(fmt::format("two tunnels are named {}", quote(line.name)));
     }
   }
 }
@@ -163,7 +164,7 @@ const TunnelLine& find_tunnel(const std::vector<TunnelLine>& tunnels, const std:
     names.emplace_back(tunnel.name);
   }
   throw std::invalid_argument(fmt::format(
-      "{} is in tunnel '{}', but there {}", what, name,
+      "{} is in tunnel {}, but there {}", what, quote(name),
       names.empty() ? "are no tunnels" : fmt::format("are only: {}", fmt::join(names, ", "))));
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/world/props/outlines.hpp"
 
 namespace adit {
@@ -17,8 +18,8 @@ namespace {
 
 void require_along(const TunnelLine& tunnel, double at_m, const std::string& what) {
   if (at_m >= 0.0 && at_m <= tunnel.length_m()) return;
-  throw std::invalid_argument(fmt::format("{}: {} m is not along tunnel '{}', which is {} m long",
-                                          what, number_text(at_m), tunnel.name,
+  throw std::invalid_argument(fmt::format("{}: {} m is not along tunnel {}, which is {} m long",
+                                          what, number_text(at_m), quote(tunnel.name),
                                           number_text(tunnel.length_m())));
 }
 

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
 #include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/random_generator.hpp"
 #include "sim/world/random/random_relief.hpp"
@@ -47,8 +48,8 @@ Topology find_topology(const std::string& name, RandomGenerator& rng) {
     if (name == topology.name) return topology.make;
   }
   throw std::invalid_argument(fmt::format(
-      "unknown topology '{}'; known: any, parallel_entries, room_and_pillar, branching, ring",
-      name));
+      "unknown topology {}; known: any, parallel_entries, room_and_pillar, branching, ring",
+      quote(name)));
 }
 
 HeightsDescription random_heights(double length_m, RandomGenerator& rng) {

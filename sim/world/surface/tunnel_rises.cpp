@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "common/text/message_text.hpp"
+
 namespace adit {
 namespace {
 
@@ -40,7 +42,7 @@ TunnelRises::Parts TunnelRises::parts_of(const std::vector<TunnelLine>& tunnels,
       s_m += length_m;
     }
     const auto grade = HeightProfile::grade_named(tunnel.rise_grade);
-    const std::string what = fmt::format("tunnel '{}': rise_m", tunnel.name);
+    const std::string what = fmt::format("tunnel {}: rise_m", quote(tunnel.name));
     parts.lines.push_back({HeightProfile(tunnel.rise_m, grade, what), s_m});
   }
   for (const PlanPolygon& room : rooms) {

@@ -28,6 +28,7 @@ void for_each_line(const std::filesystem::path& path,
     std::istringstream words{std::string(line->text)};
     use(words);
   }
+  if (!lines.damage().empty()) throw std::runtime_error(path.string() + ": is damaged");
 }
 
 LoopLabel label_of(const std::string& verdict) {

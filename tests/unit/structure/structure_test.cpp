@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -171,6 +172,43 @@ TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
 
 TEST(Structure, YamlIsBehindOneClass) {
   EXPECT_THAT(stems_that_include("<yaml-cpp/"), testing::ElementsAre("common/config/config_file"));
+}
+
+/// Lines of the programs, with their file, that a pattern matches.
+std::vector<std::string> program_lines(const std::regex& pattern) {
+  std::vector<std::string> found;
+  for (const fs::path& path : source_files()) {
+    const std::string file = adit::name_in_tree(path);
+    if (file.starts_with("tests/") || file.starts_with("common/text/")) continue;
+    std::istringstream text(text_of(path));
+    for (std::string line; std::getline(text, line);) {
+      if (std::regex_search(line, pattern)) found.push_back(file + ": " + line);
+    }
+  }
+  return found;
+}
+
+/// Content of files, command lines and messages must not act on a terminal: quote() escapes it.
+TEST(Structure, MessagesQuoteByTheFunctionQuote) {
+  EXPECT_THAT(program_lines(std::regex(R"('\{\}'|"\\?'" \+|\\"\{\})")),
+              testing::Each(testing::HasSubstr("--fault '{}'")));  // for the shell
+}
+
+TEST(Structure, ErrorsArePrintedByTheFunctionPrintError) {
+  for (const std::string& line : program_lines(std::regex("std::cerr <<|stderr"))) {
+    EXPECT_THAT(line, testing::AnyOf(testing::StartsWith("tools/adit/adit_app.cpp"),  // the help
+                                     testing::HasSubstr(": ///"), testing::HasSubstr("  //"),
+                                     testing::HasSubstr("\"arrows or"),
+                                     testing::HasSubstr("\"adit-watch: is started"),
+                                     testing::HasSubstr("\"SparseCholesky")));
+  }
+}
+
+/// The checks of CLI11 accept nan.
+TEST(Structure, NumbersOfOptionsAreCheckedByNumberIn) {
+  EXPECT_THAT(
+      program_lines(std::regex(R"(CLI::(PositiveNumber|NonNegativeNumber|Number|Range\b))")),
+      IsEmpty());
 }
 
 TEST(Structure, EverySourceFileHasALicence) {

@@ -86,17 +86,18 @@ void add_eval_map_command(CLI::App& eval) {
       ->type_name("WORLD")
       ->required();
   map->add_option("--seed", options->seed, "Seed of the world, instead of its default")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(number_in(at_least(0.0)));
   map->add_option("--truth", options->truth,
                   "True poses in the TUM format, instead of those in the log")
       ->type_name("FILE");
   map->add_option("--tolerance-m", options->score.tolerance_m,
                   "Maximum distance of a covered wall to an occupied cell [m]")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0)))
       ->capture_default_str();
   map->add_option("--deviation-m", options->score.deviation_m,
                   "Distance to the nearest wall beyond which a cell is wrong [m]")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0)))
       ->capture_default_str();
   map->callback([options] { print_score(*options); });
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/carmen/carmen_import.hpp"
@@ -31,10 +32,10 @@ constexpr const char* kCarmenExamples =
 
 void print_result(const CarmenReport& report, const ImportOptions& options) {
   for (const std::string& message : report.messages()) {
-    std::cerr << fmt::format("adit: {}: skipped {}\n", options.input.string(), message);
+    print_error("adit", fmt::format("{}: skipped {}", options.input.string(), message));
   }
   if (const std::string times = report.times.text(); !times.empty()) {
-    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), times);
+    print_error("adit", fmt::format("{}: {}", options.input.string(), times));
   }
   std::cout << fmt::format("{}: {} scans, {} odometry lines; {} of {} lines skipped\n",
                            options.output.string(), report.scans, report.odometry_lines,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/map/map_run.hpp"
@@ -55,7 +56,7 @@ void map(const MapRunOptions& options) {
   });
   bar.reset();
   for (const std::string& message : result.warnings) {
-    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), message);
+    print_error("adit", fmt::format("{}: {}", options.input.string(), message));
   }
   std::cout << fmt::format(
       "{}: {} scans over {:g} m in {:g} s, {} of them lost; {} local maps, {} loop closure{}",

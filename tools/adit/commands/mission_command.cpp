@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/text/message_text.hpp"
+#include "sim/live/live_run.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_live.hpp"
@@ -31,9 +33,9 @@ class MissionProgressPrinter {
   void update(const MissionProgress& progress, double wall_s) {
     const double factor = wall_s > 0.0 ? progress.simulated_s / wall_s : 0.0;
     if (is_terminal_) {
-      std::cout << fmt::format("\r{} ", progress_text(progress, factor));
+      std::cout << fmt::format("\r{} ", message_line(progress_text(progress, factor)));
     } else if (wall_s >= next_s_) {
-      std::cout << fmt::format("{}\n", progress_text(progress, factor));
+      std::cout << fmt::format("{}\n", message_line(progress_text(progress, factor)));
       next_s_ = wall_s + kLinePeriodS;
     }
     std::cout << std::flush;
@@ -43,12 +45,13 @@ class MissionProgressPrinter {
   void print_message(const std::string& message) const {
     if (is_terminal_) std::cout << "\n";
     std::cout << std::flush;
-    std::cerr << fmt::format("adit mission: {}\n", message);
+    print_error("adit mission", message);
   }
 
   /// Prints the outcome and the run time. `abort_reason` is empty if the mission ended by itself.
   static void end(const MissionProgress& last, const std::string& abort_reason, double wall_s) {
-    std::cout << fmt::format("\n{}\n", abort_reason.empty() ? last.phase.reason : abort_reason)
+    std::cout << fmt::format("\n{}\n",
+                             message_line(abort_reason.empty() ? last.phase.reason : abort_reason))
               << fmt::format(
                      "{:.0f} s of simulated time in {:.0f} s; {:.2f} m from the start at "
                      "the end\n",
@@ -106,7 +109,7 @@ void report(const std::filesystem::path& folder) try {
   std::erase_if(logs, [](const auto& log) { return std::filesystem::file_size(log) == 0; });
   print_report({logs, mission.path()});
 } catch (const std::exception& error) {
-  std::cerr << fmt::format("adit mission: cannot write the report: {}\n", error.what());
+  print_error("adit mission", fmt::format("cannot write the report: {}", error.what()));
 }
 
 /// Throws the exit code of a mission whose robot did not return, or is not sure that it did.
@@ -181,15 +184,20 @@ void add_options(CLI::App& command, MissionOptions& options) {
       ->type_name("FAULT")
       ->allow_extra_args(false);
   command
-      .add_option("--speed", mission.speed,
-                  "Speed as a multiple of real time, or max: as fast as possible")
+      .add_option_function<std::string>(
+          "--speed",
+          [&mission](const std::string& text) {
+            speed_factor(text);  // throws if invalid
+            mission.speed = text;
+          },
+          "Speed as a multiple of real time, or max: as fast as possible")
       ->type_name("F|max")
       ->excludes(in_process);
   command
       .add_option("--time-max-s", mission.time_max_s,
                   "Simulated time after which the mission is aborted")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0)));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "common/command_line/command_line.hpp"
 #include "common/pose_graph/g2o_file.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/optimize/optimize_run.hpp"
@@ -96,14 +97,16 @@ void warn_of_gaps(const OptimizeOptions& options, const std::vector<LoopDecision
     names += fmt::format("{}{} to {}", i > 0 ? ", " : "", bridges[i].first, bridges[i].second);
   }
   if (bridges.size() > kNamedMax) names += ", ..";
-  std::cerr << fmt::format(
-      "adit: {}: {} in the odometry, bridged by trusted constraints: {}\n", options.graph.string(),
-      bridges.size() == 1 ? "1 gap" : fmt::format("{} gaps", bridges.size()), names);
+  print_error(
+      "adit",
+      fmt::format("{}: {} in the odometry, bridged by trusted constraints: {}",
+                  options.graph.string(),
+                  bridges.size() == 1 ? "1 gap" : fmt::format("{} gaps", bridges.size()), names));
 }
 
 void warn_of_doubts(const OptimizeOptions& options, const std::vector<std::string>& doubts) {
-  std::cerr << fmt::format("adit: {}: doubtful: {}\n", options.graph.string(),
-                           fmt::join(doubts, "; "));
+  print_error("adit",
+              fmt::format("{}: doubtful: {}", options.graph.string(), fmt::join(doubts, "; ")));
 }
 
 void optimize_file(const OptimizeOptions& options) {

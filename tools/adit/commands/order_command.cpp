@@ -19,6 +19,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/command_line/command_line.hpp"
 #include "common/messages/mission.hpp"
+#include "common/text/message_text.hpp"
 #include "common/types/mission.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/mission/private_network.hpp"
@@ -140,11 +141,11 @@ void add_order_command(CLI::App& adit) {
       ->add_option("--timeout-s", options->timeout_s,
                    "Maximum time until the mission executes the order")
       ->type_name("SECONDS")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0)))
       ->capture_default_str();
   command->add_option("--lcm-url", options->lcm_url, "LCM network, instead of the default")
       ->type_name("URL");
-  command->callback([options] { std::cout << order_mission(*options) << "\n"; });
+  command->callback([options] { std::cout << message_line(order_mission(*options)) << "\n"; });
 }
 
 }  // namespace adit

@@ -16,6 +16,7 @@
 #include "common/command_line/command_line.hpp"
 #include "common/config/number_text.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/plan/cloud_placement.hpp"
 #include "tools/plan/plan_run.hpp"
@@ -37,17 +38,17 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
   std::vector<double> numbers;
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());
-    const auto number = parse_number<double>(std::string_view(text).substr(from, to - from));
-    if (!number || !std::isfinite(*number)) {
+    const auto number = option_number(std::string_view(text).substr(from, to - from));
+    if (!number) {
       throw std::invalid_argument(
-          fmt::format("{}: '{}' is not a list of comma-separated numbers", option, text));
+          fmt::format("{}: {} is not a list of comma-separated numbers", option, quote(text)));
     }
     numbers.push_back(*number);
     from = to + 1;
   }
   if (numbers.size() < min || numbers.size() > max) {
-    throw std::invalid_argument(fmt::format("{}: '{}' must have {}{} numbers", option, text, min,
-                                            max > min ? fmt::format(" or {}", max) : ""));
+    throw std::invalid_argument(fmt::format("{}: {} must have {}{} numbers", option, quote(text),
+                                            min, max > min ? fmt::format(" or {}", max) : ""));
   }
   return numbers;
 }
@@ -84,7 +85,7 @@ void add_goal_options(CLI::App& command, GoalChoice& goal) {
       ->group(kGoalGroup);
   command.add_option("--distance-m", goal.distance_m, "Maximum distance in the direction")
       ->type_name("M")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(above(0.0)))
       ->capture_default_str()
       ->excludes(pose)
       ->group(kGoalGroup);
@@ -141,9 +142,11 @@ void add_placement_options(CLI::App& command, CloudPlacement& placement) {
 void add_log_options(CLI::App& command, ScanChoice& choice, bool& list) {
   CLI::Option* number = command.add_option("--scan", choice.number, "N-th scan of the log, from 1")
                             ->type_name("N")
+                            ->check(number_in(at_least(1.0)))
                             ->group(kLogsGroup);
   CLI::Option* id = command.add_option("--id", choice.id, "Scan with this id")
                         ->type_name("ID")
+                        ->check(number_in())
                         ->excludes(number)
                         ->group(kLogsGroup);
   command.add_flag("--all", choice.all, "All scans, each into a sub-folder of DIR")

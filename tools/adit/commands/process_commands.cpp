@@ -15,6 +15,7 @@
 
 #include "common/command_line/command_line.hpp"
 #include "common/config/number_text.hpp"
+#include "common/text/message_text.hpp"
 #include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/control/control_socket.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -36,7 +37,7 @@ std::string scaled(const std::string& number, double factor) {
 Row tokens_of(const std::string& line) {
   Row tokens;
   std::istringstream text(line);
-  for (std::string token; std::getline(text, token, '\t');) tokens.push_back(token);
+  for (std::string token; std::getline(text, token, '\t');) tokens.push_back(message_line(token));
   tokens.resize(kColumns);
   return tokens;
 }
@@ -84,7 +85,8 @@ constexpr const char* kChangeExamples =
 
 constexpr const char* kPsDetails =
     R"(Columns: computer and group of the process, state, process id, CPU (100 % is one core) and memory of the
-process and its children, number of restarts, last error.
+process and its children, restarts since the supervisor started (in parentheses the recent ones, without
+10 s of stable run in between, which count for the restart limit), last error.
 
 States:
   stopped    not running
@@ -113,6 +115,22 @@ new ones wait for adit start. Each computer reads its own list. An invalid list 
 list stays in effect. Same as kill -HUP and systemctl reload adit-supervisor.)";
 
 constexpr const char* kReloadExamples = "  adit reload";
+
+/// Prints the output of a process line by line, so that a chunk may end within a character. Escape
+/// sequences in it do not act on the terminal.
+class PrintedLines {
+ public:
+  ~PrintedLines() { std::cout << printable_lines(rest_) << std::flush; }
+  void add(std::string_view text) {
+    rest_ += text;
+    const std::size_t end = rest_.rfind('\n') + 1;  // 0 if there is none
+    std::cout << printable_lines(std::string_view(rest_).substr(0, end)) << std::flush;
+    rest_.erase(0, end);
+  }
+
+ private:
+  std::string rest_;
+};
 
 std::shared_ptr<ProcessOptions> add_socket_option(CLI::App& command) {
   auto options = std::make_shared<ProcessOptions>();
@@ -189,8 +207,9 @@ void add_reload_command(CLI::App& adit) {
   CLI::App* reload = add_command(adit, "reload", "Reload the process list of the supervisor");
   set_help(*reload, {kReloadDetails, "", kReloadExamples});
   const auto options = add_socket_option(*reload);
-  reload->callback(
-      [options] { std::cout << request_from_supervisor(options->socket, {"reload"}); });
+  reload->callback([options] {
+    std::cout << printable_lines(request_from_supervisor(options->socket, {"reload"}));
+  });
 }
 
 void add_logs_command(CLI::App& adit) {
@@ -200,9 +219,10 @@ void add_logs_command(CLI::App& adit) {
   logs->add_option("NAME", options->names, "Process of the process list")->required()->expected(1);
   logs->add_flag("-f,--follow", options->follow, "Also print new output");
   logs->callback([options] {
+    PrintedLines lines;
     request_from_supervisor(options->socket,
                             {options->follow ? "follow" : "logs", options->names.front()},
-                            [](std::string_view text) { std::cout << text << std::flush; });
+                            [&lines](std::string_view text) { lines.add(text); });
   });
 }
 

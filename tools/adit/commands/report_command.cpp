@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/report/report.hpp"
@@ -24,11 +25,11 @@ void print_report(const ReportOptions& options) {
     bar->update(done);
   });
   bar.reset();
-  for (const std::string& message : result.warnings) {
-    std::cerr << fmt::format("adit: {}\n", message);
-  }
+  for (const std::string& message : result.warnings) print_error("adit", message);
   if (!result.accuracy.empty()) std::cout << result.accuracy << "\n";
-  std::cout << fmt::format("{}: {}\n", (options.folder / "mission.html").string(), result.outcome)
+  std::cout << message_line(fmt::format("{}: {}", (options.folder / "mission.html").string(),
+                                        result.outcome))
+            << "\n"
             << std::flush;
 }
 

@@ -85,11 +85,11 @@ void add_sample_command(CLI::App& adit) {
       ->type_name("FILE");
   sample->add_option("--seed", options->run.seed, "Seed of the mine and of the sensor noise")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_in(at_least(0.0)))
       ->capture_default_str();
   sample->add_option("--length-m", options->run.length_max_m, "End the drive after this distance")
       ->type_name("METRES")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in(above(0.0)));
   sample->add_option("--world", options->run.world, "World to drive in: sample, parallel or grid")
       ->type_name("NAME")
       ->check(CLI::IsMember({"sample", "parallel", "grid"}))
@@ -98,12 +98,12 @@ void add_sample_command(CLI::App& adit) {
       ->add_option("--yaw-bias-deg-per-m", options->yaw_bias_deg_per_m,
                    "Heading drift of the odometry, instead of that of the world")
       ->type_name("DEG")
-      ->check(CLI::Range(-10.0, 10.0));
+      ->check(number_in(within(-10.0, 10.0)));
   sample
       ->add_option("--bearing-error-percent", options->bearing_error_percent,
                    "Scale error of the laser bearings: true over reported, minus 1")
       ->type_name("PERCENT")
-      ->check(CLI::Range(-10.0, 10.0))
+      ->check(number_in(within(-10.0, 10.0)))
       ->capture_default_str();
   sample->add_flag("--half-degree", options->half_degree, "361 beams per scan instead of 181");
   sample->callback([options] { write_sample(*options); });

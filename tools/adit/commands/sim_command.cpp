@@ -9,6 +9,7 @@
 
 #include "common/command_line/command_line.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/text/message_text.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/view/view.hpp"
 #include "sim/view/view_options.hpp"
@@ -51,7 +52,7 @@ void write_files(const SimOptions& options) {
   if (!options.truth.empty()) {
     write_truth_files(site.world(), options.truth);
     for (const std::string& sentence : missing_truth(site.world())) {
-      std::cerr << "adit sim: " << sentence << "\n";
+      print_error("adit sim", sentence);
     }
   }
   if (!options.view.empty()) write_view(site, options.view, options.view_options);

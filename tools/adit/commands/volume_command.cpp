@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/volume/volume_run.hpp"
@@ -35,7 +36,7 @@ void build_volume(const VolumeRunOptions& options) {
     result = run_volume(options, [&bar](double done) { bar.update(done); });
   }
   for (const std::string& message : result.warnings) {
-    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), message);
+    print_error("adit", fmt::format("{}: {}", options.input.string(), message));
   }
   std::cout << fmt::format("{}: {} 3D scans in {} sub-volumes, {} points\n",
                            options.folder.string(), result.scans, result.volumes, result.points);

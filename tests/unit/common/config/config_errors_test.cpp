@@ -99,6 +99,75 @@ TEST(ConfigErrors, LocateInvalidYaml) {
   EXPECT_THAT(error_of("outer: " + std::string(100000, '[')), StartsWith("robot.yaml:"));
 }
 
+/// Nested aliases double the content with every line: 2^30 values from a few hundred bytes.
+std::string nested_aliases() {
+  std::string yaml = "outer:\n  a0: &a0 [1, 1]\n";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "*a" + std::to_string(i - 1);
+    const std::string name = "a" + std::to_string(i);
+    yaml.append("  ").append(name).append(": &").append(name).append(" [");
+    yaml.append(before).append(", ").append(before).append("]\n");
+  }
+  return yaml;
+}
+
+TEST(ConfigErrors, BoundTheContentAfterTheExpansionOfAliases) {
+  EXPECT_THAT(error_of(nested_aliases()), StartsWith("robot.yaml:"));
+  std::string bomb = "a: &a [1,1,1,1,1,1,1,1,1,1]\n";
+  for (char c = 'b'; c < 'k'; ++c) {
+    const std::string one = std::string("*") + static_cast<char>(c - 1);
+    std::string list = one;
+    for (int i = 1; i < 10; ++i) list += "," + one;
+    bomb += std::string(1, c) + ": &" + c + " [" + list + "]\n";
+  }
+  EXPECT_LT(bomb.size(), 400U);
+  EXPECT_THAT(error_of(bomb), HasSubstr("with all aliases expanded"));
+  // Long texts count, too: 1 MB in each of 100 aliases.
+  std::string texts = "a: &a " + std::string(1'000'000, 'x') + "\nb: [";
+  for (int i = 0; i < 100; ++i) texts += "*a, ";
+  EXPECT_THAT(error_of(texts + "]\n"), HasSubstr("with all aliases expanded"));
+}
+
+TEST(ConfigErrors, BoundNestingAndSize) {
+  EXPECT_THAT(error_of("outer: " + std::string(20, '[') + std::string(20, ']')),
+              HasSubstr("nested too deeply"));
+  std::string blocks;
+  for (std::size_t depth = 0; depth < 2000; ++depth) {
+    blocks += std::string(depth, ' ') + "a:\n";
+  }
+  EXPECT_THAT(error_of(blocks), StartsWith("robot.yaml:"));
+  EXPECT_THAT(error_of(std::string(5'000'000, '\n')), HasSubstr("larger than"));
+  EXPECT_THROW(ConfigFile::load("/dev/zero"), ConfigError);
+}
+
+std::string many_keys(int count, const std::string& indent) {
+  std::string yaml;
+  for (int i = 0; i < count; ++i) yaml += indent + "key" + std::to_string(i) + ": 1\n";
+  return yaml;
+}
+
+/// A linear search for each key takes half a minute here, a table of keys some 0.2 s.
+TEST(ConfigErrors, RejectManyKeysAndLongKeys) {
+  EXPECT_THAT(error_of("outer:\n" + many_keys(90'000, "  ")),
+              StartsWith("robot.yaml:2: unknown key 'key0' in outer"));
+  EXPECT_THAT(error_of(many_keys(90'000, "") + "key0: 2\n"),
+              StartsWith("robot.yaml:90001: duplicate key 'key0'; first on line 1"));
+  EXPECT_THAT(error_of("outer:\n" + many_keys(300'000, "  ")),
+              StartsWith("robot.yaml: larger than"));
+  EXPECT_THAT(error_of(many_keys(200'000, "")), HasSubstr("too much content"));
+  EXPECT_LT(error_of("outer: {? " + std::string(1'000'000, 'k') + " : 1}").size(), 1000U);
+}
+
+TEST(ConfigErrors, ExpandAliases) {
+  EXPECT_EQ(load_outer("shared: &s {iterations: 7}\nouter: {inner: *s}\n").inner.iterations, 7);
+  EXPECT_EQ(load_outer("a: &k share\nouter: {*k : 0.25}\n").share, 0.25);
+}
+
+TEST(ConfigErrors, QuoteContentOfTheFile) {
+  const std::string error = error_of("outer: {\"a\\e[2J\\0b\": 1}");
+  EXPECT_THAT(error, HasSubstr("unknown key 'a\\x1b[2J\\x00b' in outer"));
+}
+
 TEST(ConfigErrors, RejectBinaryInputBeforeParsing) {
   EXPECT_EQ(error_of("outer:\n  share: \x01\n"), "robot.yaml:2: not a text file");
   EXPECT_EQ(error_of(std::string("\0", 1)), "robot.yaml:1: not a text file");

@@ -31,6 +31,9 @@ TEST(LastReceived, IsStaleAfterItsTimeout) {
   EXPECT_EQ(pose.staleness("pose", kSecond + 250'000, 0.25), std::nullopt);
   EXPECT_EQ(pose.staleness("pose", kSecond + 310'000, 0.25), "pose stale for 0.31 s");
   EXPECT_EQ(pose.staleness_if_received("pose", 2 * kSecond, 0.25), "pose stale for 1.00 s");
+  // The stamps of a sender whose clock starts at the epoch.
+  EXPECT_EQ(pose.staleness("pose", 1'795'371'298 * kSecond, 0.25),
+            "pose stale: its time stamps are more than a day old");
 }
 
 }  // namespace

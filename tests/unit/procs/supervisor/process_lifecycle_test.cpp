@@ -141,6 +141,7 @@ TEST(ProcessLifecycle, ResetsTheBackoffAfterAStableRun) {
   EXPECT_EQ(lifecycle.error(), "ended with exit code 1");
   lifecycle.advance(11 * kSecond, true, false);
   EXPECT_EQ(lifecycle.restarts(), 0);
+  EXPECT_EQ(lifecycle.total_restarts(), 1);
   EXPECT_EQ(lifecycle.error(), "");
 }
 

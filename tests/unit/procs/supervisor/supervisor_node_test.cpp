@@ -46,6 +46,7 @@ class SupervisorNodeTest : public testing::Test {
     params_.deputy_id = "robot";
     params_.socket = folder_ / "s.sock";
     params_.watcher = ADIT_WATCH;
+    params_.listen_s = 0.0;  // NameClaim has tests of its own
     bus_.tap([this](const ReceivedMessage& received) { take(received); });
   }
 
@@ -294,7 +295,7 @@ TEST_F(SupervisorNodeTest, RejectsAnInvalidConfiguration) {
   params.processes.clear();
   EXPECT_THAT(error_of(params), HasSubstr("supervisor.processes is not set"));
   params.processes = folder_ / "none.cfg";
-  EXPECT_THAT(error_of(params), HasSubstr("none.cfg: cannot be read"));
+  EXPECT_THAT(error_of(params), HasSubstr("cannot read"));
   params = params_;
   params.start_script = "none";
   EXPECT_THAT(error_of(params), HasSubstr("has no script \"none\""));

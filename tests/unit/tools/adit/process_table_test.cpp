@@ -22,6 +22,12 @@ TEST(ProcessTableText, OmitsAnEmptyGroupColumn) {
             "x     far       stopped    -      -   -         0\n");
 }
 
+TEST(ProcessTableText, ShowsNoControlCharacters) {
+  EXPECT_EQ(process_table_text("x\x1b[2J\tfar\t\tstopped\t0\t0\t0\t3 (1)\t\n"),
+            "NAME      COMPUTER  STATE    PID  CPU %  MB  RESTARTS\n"
+            "x\\x1b[2J  far       stopped    -      -   -     3 (1)\n");
+}
+
 TEST(ProcessTableText, WithoutProcessesIsTheHeading) {
   EXPECT_EQ(process_table_text(""), "NAME  COMPUTER  STATE  PID  CPU %  MB  RESTARTS\n");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/config/text_check.hpp"
+#include "common/text/text_check.hpp"
 
 #include <algorithm>
 
@@ -26,15 +26,23 @@ bool is_continuation_byte(char byte) { return (static_cast<unsigned char>(byte) 
 
 }  // namespace
 
+std::size_t text_character_bytes(std::string_view bytes) {
+  if (bytes.empty()) return 0;
+  const auto first = static_cast<unsigned char>(bytes.front());
+  const auto following = continuation_byte_count(first);
+  if (is_control(first) || !following) return 0;
+  const std::string_view rest = bytes.substr(1, *following);
+  if (rest.size() < *following || !std::all_of(rest.begin(), rest.end(), is_continuation_byte)) {
+    return 0;
+  }
+  return 1 + *following;
+}
+
 std::optional<std::size_t> find_non_text_byte(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
-    const auto byte = static_cast<unsigned char>(bytes[i]);
-    const auto following = continuation_byte_count(byte);
-    if (is_control(byte) || !following) return i;
-    const std::string_view rest = bytes.substr(i + 1, *following);
-    if (rest.size() < *following || !std::all_of(rest.begin(), rest.end(), is_continuation_byte))
-      return i;
-    i += 1 + *following;
+    const std::size_t length = text_character_bytes(bytes.substr(i));
+    if (length == 0) return i;
+    i += length;
   }
   return std::nullopt;
 }

@@ -49,6 +49,9 @@ class StageBus final : public Bus {
   [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }
+  [[nodiscard]] std::int64_t without_valid_seal() const override {
+    return bus_.without_valid_seal();
+  }
 
  private:
   Handler with_timing(Handler handler);
@@ -91,6 +94,7 @@ class NodeHost {
   void publish_heartbeat(std::int64_t utime);
   void publish_stats(std::int64_t utime);
   void report_rejections();
+  void report_seals(std::int64_t utime);
 
   StageBus bus_;
   Stage stage_;
@@ -100,6 +104,8 @@ class NodeHost {
   std::optional<std::int64_t> last_stats_utime_;
   std::vector<SubscriptionStats> last_stats_;
   std::set<std::string> reported_;  // rejections already written to error_stream_
+  std::int64_t reported_seals_ = 0;
+  std::optional<std::int64_t> reported_seals_utime_;
 };
 
 /// Type-erased interface of a running node.

@@ -30,7 +30,7 @@ install(CODE "
   install_once(processes/robot.cfg adit/robot.cfg)
   install_once(debian/default default/adit)
 
-  foreach(unit adit-supervisor adit-loopback)
+  foreach(unit adit-guard adit-supervisor adit-loopback)
     file(READ ${PROJECT_SOURCE_DIR}/deploy/systemd/\${unit}.service text)
     string(REPLACE /usr/ \${CMAKE_INSTALL_PREFIX}/ text \"\${text}\")
     file(WRITE \${root}/lib/systemd/system/\${unit}.service \"\${text}\")
@@ -38,6 +38,8 @@ install(CODE "
   file(MAKE_DIRECTORY \${root}/${share}/bash-completion/completions)
   execute_process(COMMAND $<TARGET_FILE:adit> completion bash COMMAND_ERROR_IS_FATAL ANY
     OUTPUT_FILE \${root}/${share}/bash-completion/completions/adit)
+  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/deploy/man_pages.sh \${root}/${CMAKE_INSTALL_BINDIR}
+    \${root}/${CMAKE_INSTALL_MANDIR}/man1 COMMAND_ERROR_IS_FATAL ANY)
 ")
 
 set(CPACK_PACKAGE_VENDOR "The Adit authors")

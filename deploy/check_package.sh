@@ -24,15 +24,16 @@ dpkg-deb -x "$package" "$tree"
 dpkg-deb -e "$package" "$scratch/control"
 
 for file in etc/adit/robot.{yaml,cfg} etc/default/adit usr/lib/sysctl.d/60-adit-lcm.conf \
-  usr/lib/systemd/system/adit-{supervisor,loopback}.service usr/share/adit/worlds/bruceton.yaml \
+  usr/lib/systemd/system/adit-{guard,supervisor,loopback}.service usr/share/adit/worlds/bruceton.yaml \
   usr/share/adit/config/{groundhog,simulated}.yaml usr/share/adit/processes/simulated.cfg \
   usr/share/doc/adit/{README.md,deploy.md,copyright} usr/bin/adit-record; do
   [[ -f $tree/$file ]] || fail "$file is not in the package"
 done
 for program in "$build"/bin/adit*; do
   [[ -x $tree/usr/bin/${program##*/} ]] || fail "${program##*/} is not in the package"
+  [[ -s $tree/usr/share/man/man1/${program##*/}.1.gz ]] || fail "${program##*/} has no manual page"
 done
-for package_needed in adduser liblcm-bin liblcm1 libcholmod3 liboctomap libyaml-cpp; do
+for package_needed in adduser liblcm-bin liblcm1 libcholmod3 liboctomap libsodium23 libyaml-cpp; do
   grep -q "^Depends:.*\b$package_needed" "$scratch/control/control" || fail "does not depend on $package_needed"
 done
 while read -r file; do [[ -f $tree$file ]] || fail "conffile $file"; done <"$scratch/control/conffiles"
@@ -59,9 +60,23 @@ echo 'supervisor: {processes: simulated.cfg, start_script: none}' >"$scratch/lis
 grep -q 'simulated.cfg has no script "none"' "$scratch/list.err" || fail "the list: $(cat "$scratch/list.err")"
 (source "$tree/usr/share/bash-completion/completions/adit" && complete -p adit >/dev/null) || fail "completion"
 
+# The pages have what the programs print, and every command of adit.
+for command in $("$bin/adit" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
+  zcat "$tree/usr/share/man/man1/adit.1.gz" | grep -q "^\.SS adit $command$" || fail "adit(1) has no $command"
+done
+if command -v man >/dev/null; then
+  for page in "$tree"/usr/share/man/man1/*.gz; do
+    case $page in */adit-watch.1.gz) continue ;; esac   # the page of adit-supervisor
+    warnings=$(man --warnings -l "$page" 2>&1 >/dev/null) || fail "man $page"
+    [[ -z $warnings ]] || fail "$page: $warnings"
+  done
+fi
+
 units="no systemd-analyze here"
 if command -v systemd-analyze >/dev/null; then
   sed -i "s|/usr/bin|$bin|" "$tree"/usr/lib/systemd/system/adit-*.service
+  # Its pages are not installed here.
+  sed -i 's|man:[^ ]* ||' "$tree"/usr/lib/systemd/system/adit-*.service
   systemd-analyze verify "$tree"/usr/lib/systemd/system/adit-*.service >"$scratch/units" 2>&1 &&
     [[ ! -s $scratch/units ]] || fail "units: $(cat "$scratch/units")"
   units="systemd takes the units"

@@ -96,6 +96,9 @@ class Bus {
 
   /// Number of messages that the transport failed to send.
   [[nodiscard]] virtual std::int64_t unsent() const { return 0; }
+
+  /// Number of orders that were rejected because no valid seal was on them.
+  [[nodiscard]] virtual std::int64_t without_valid_seal() const { return 0; }
 };
 
 /// Throws std::invalid_argument unless the channel name is valid.

@@ -51,22 +51,62 @@ inline constexpr std::string_view kSimTimeDone = "SIM_TIME_DONE";
 inline constexpr std::string_view kHeartbeat = "HEARTBEAT";
 inline constexpr std::string_view kConfig = "CONFIG";
 inline constexpr std::string_view kStageStats = "STAGE_STATS";
+inline constexpr std::string_view kSealChallenge = "SEAL_CHALLENGE";
+inline constexpr std::string_view kSealAnswer = "SEAL_ANSWER";
 inline constexpr std::string_view kPmInfo = "PM_INFO";
 inline constexpr std::string_view kPmOrders = "PM_ORDERS";
 inline constexpr std::string_view kPmOutput = "PM_OUTPUT";
 inline constexpr std::string_view kPmDiscover = "PM_DISCOVER";
 
 /// All channels.
-inline constexpr std::array kAll{
-    kLaserFront,      kLaserRear,     kPose,         kTiltFront,   kTiltRear,
-    kWheelOdometry,   kImu,           kScanMatch,    kLocalMap,    kPoseGraph,
-    kMapCorrection,   kAssociation,   kDriveCommand, kStop,        kTiltCommandFront,
-    kTiltCommandRear, kVehicleState,  kGas,          kSinkage,     kTruth,
-    kRunState,        kSimTime,       kSimTimeDone,  kScanRequest, kCloud,
-    kTerrain,         kVolume,        kGoal,         kPath,        kDrivingState,
-    kHeartbeat,       kConfig,        kStageStats,   kPmInfo,      kPmOrders,
-    kPmOutput,        kPmDiscover,    kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder,  kCloudRequest, kCloudResend, kTerrainReady,
-    kMatchDoubt,      kContradictions};
+inline constexpr std::array kAll{kLaserFront,
+                                 kLaserRear,
+                                 kPose,
+                                 kTiltFront,
+                                 kTiltRear,
+                                 kWheelOdometry,
+                                 kImu,
+                                 kScanMatch,
+                                 kLocalMap,
+                                 kPoseGraph,
+                                 kMapCorrection,
+                                 kAssociation,
+                                 kDriveCommand,
+                                 kStop,
+                                 kTiltCommandFront,
+                                 kTiltCommandRear,
+                                 kVehicleState,
+                                 kGas,
+                                 kSinkage,
+                                 kTruth,
+                                 kRunState,
+                                 kSimTime,
+                                 kSimTimeDone,
+                                 kScanRequest,
+                                 kCloud,
+                                 kTerrain,
+                                 kVolume,
+                                 kGoal,
+                                 kPath,
+                                 kDrivingState,
+                                 kHeartbeat,
+                                 kConfig,
+                                 kStageStats,
+                                 kPmInfo,
+                                 kPmOrders,
+                                 kPmOutput,
+                                 kPmDiscover,
+                                 kExploration,
+                                 kPhase,
+                                 kExploreRequest,
+                                 kMapRequest,
+                                 kMissionOrder,
+                                 kCloudRequest,
+                                 kCloudResend,
+                                 kTerrainReady,
+                                 kMatchDoubt,
+                                 kContradictions,
+                                 kSealChallenge,
+                                 kSealAnswer};
 
 }  // namespace adit::channels

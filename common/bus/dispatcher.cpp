@@ -47,6 +47,12 @@ void Dispatcher::enqueue(const ReceivedMessage& received) {
   }
 }
 
+void Dispatcher::reject(std::string_view channel, std::string_view reason) {
+  for (const auto& subscription : subscriptions_) {
+    if (subscription->stats.channel == channel) count_rejection(reason, subscription->stats);
+  }
+}
+
 Dispatcher::Subscription* Dispatcher::oldest() const {
   Subscription* oldest = nullptr;
   for (const auto& subscription : subscriptions_) {

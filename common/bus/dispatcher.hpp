@@ -28,6 +28,9 @@ class Dispatcher {
   /// Appends a copy of the message to the queue of each subscription to its channel.
   void enqueue(const ReceivedMessage& received);
 
+  /// Counts a message that is not queued as rejected by each subscription to its channel.
+  void reject(std::string_view channel, std::string_view reason);
+
   /// Passes the oldest queued message to its handler. Returns false if all queues are empty.
   bool dispatch_one();
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <lcm/lcm-cpp.hpp>
 #include <poll.h>
@@ -17,6 +18,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_transport.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/seal.hpp"
 #include "common/messages/sim.hpp"
 
 namespace adit {
@@ -27,6 +29,10 @@ namespace {
 constexpr int kLcmQueue = 4096;
 
 constexpr std::size_t kSimTimeQueue = 1000;  // at 20 messages for each simulated second
+constexpr std::size_t kSealQueue = 100;
+constexpr std::int64_t kChallengePeriodUs = 100'000;
+constexpr std::int64_t kWaitMaxUs =
+    10'000'000;  // of a message in LCM's queue, while a handler runs
 
 std::int64_t wall_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -45,6 +51,9 @@ LcmBus::LcmBus(const LcmBusOptions& options)
       dispatcher_(options.max_message_bytes) {
   if (!lcm_->good()) throw std::runtime_error(lcm_failure_reason(options.url));
   if (time_ == BusTime::kSimulated) subscribe_sim_time();
+  if (!options.seal) return;
+  seal_.emplace(*options.seal);
+  subscribe_seal();
 }
 
 LcmBus::~LcmBus() = default;
@@ -93,11 +102,28 @@ void LcmBus::drain_lcm_queue() {
 
 void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                         LcmBus* bus) try {
-  bus->dispatcher_.enqueue({channel,
-                            bus->time_ == BusTime::kWall ? buffer->recv_utime : bus->now_utime(),
-                            {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
+  bus->receive({channel,
+                buffer->recv_utime,
+                {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
 } catch (...) {
   bus->failure_ = std::current_exception();
+}
+
+/// Queues a message, or rejects it. Its time is the wall time of its arrival.
+void LcmBus::receive(const ReceivedMessage& received) {
+  if (seal_ && OrderSeal::covers(received.channel)) {
+    // The wall clock may have been set since.
+    const std::int64_t waited_us =
+        std::clamp<std::int64_t>(wall_utime() - received.utime, 0, kWaitMaxUs);
+    const std::string_view reason = seal_->check(received.channel, received.bytes, waited_us);
+    if (!reason.empty()) {
+      dispatcher_.reject(received.channel, reason);
+      challenge_senders();
+      return;
+    }
+  }
+  const std::int64_t utime = time_ == BusTime::kWall ? received.utime : now_utime();
+  dispatcher_.enqueue({received.channel, utime, received.bytes});
 }
 
 void LcmBus::run_due_timers() {
@@ -111,6 +137,33 @@ void LcmBus::subscribe_sim_time() {
                               [this](const SimTime& time) { advance_to(time.utime); });
 }
 
+void LcmBus::subscribe_seal() {
+  subscribe(channels::kSealChallenge, Delivery::queued(kSealQueue),
+            [this](const ReceivedMessage& received) -> std::string_view {
+              const auto message = decode<seal_nonce_t>(received.bytes);
+              if (!message) return message.rejection();
+              const auto challenge = from_message(*message);
+              if (!challenge) return challenge.rejection();
+              if (!seal_->is_genuine_challenge(received.bytes)) return SealReceiver::kForged;
+              publish_seal(channels::kSealAnswer, challenge->nonce);
+              return {};
+            });
+  subscribe(channels::kSealAnswer, Delivery::queued(kSealQueue),
+            [this](const ReceivedMessage& received) { return seal_->add_answer(received); });
+  create_wall_timer(kChallengePeriodUs, [this](std::int64_t) { challenge_senders(); });
+  publish_seal(channels::kSealAnswer, {});
+}
+
+void LcmBus::publish_seal(std::string_view channel, const SealNonce& nonce) {
+  const auto message = encode(to_message(SealChallenge{wall_utime(), nonce}));
+  publish(channel, seal_->seal(channel, message));
+}
+
+void LcmBus::challenge_senders() {
+  if (!receives_orders_) return;
+  if (const auto nonce = seal_->take_challenge()) publish_seal(channels::kSealChallenge, *nonce);
+}
+
 void LcmBus::advance_to(std::int64_t utime) {
   simulated_utime_ = utime;
   while (const auto tick = timers_.next(utime)) tick->handler(utime);
@@ -120,12 +173,15 @@ void LcmBus::advance_to(std::int64_t utime) {
 
 void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
   require_valid_channel(channel);
+  std::vector<std::uint8_t> sealed;
+  if (seal_ && OrderSeal::covers(channel)) bytes = sealed = seal_->seal(channel, bytes);
   const auto size = static_cast<unsigned int>(bytes.size());
   if (lcm_->publish(std::string(channel), bytes.data(), size) != 0) ++unsent_;
 }
 
 SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
   const SubscriptionId id = dispatcher_.subscribe(channel, delivery, std::move(handler));
+  receives_orders_ = receives_orders_ || OrderSeal::covers(channel);
   if (!channels_.emplace(channel).second) return id;
   const std::set<int> sockets = bound_datagram_sockets();
   // LCM's `subscribe` with a member function is miscompiled by GCC 12 under -fsanitize=undefined.
@@ -150,6 +206,8 @@ void LcmBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {
 std::int64_t LcmBus::now_utime() const {
   return time_ == BusTime::kSimulated ? simulated_utime_ : wall_utime();
 }
+
+std::int64_t LcmBus::without_valid_seal() const { return seal_ ? seal_->rejected() : 0; }
 
 const SubscriptionStats& LcmBus::stats(SubscriptionId id) const { return dispatcher_.stats(id); }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/dispatcher.hpp"
+#include "common/bus/order_seal.hpp"
 #include "common/bus/timers.hpp"
 
 namespace lcm {
@@ -29,6 +31,8 @@ struct LcmBusOptions {
   std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes;
   BusTime time = BusTime::kWall;
   std::string stage = {};  ///< name in SIM_TIME_DONE; empty: SIM_TIME is not acknowledged
+  std::optional<SealKey> seal =
+      {};  ///< key of orders; nothing: they are neither sealed nor checked
 };
 
 /// The bus on the robot: LCM between processes, bus time from the wall clock. A process also
@@ -39,6 +43,9 @@ struct LcmBusOptions {
 /// other messages in order of arrival, so that every message received before it has been handled.
 /// Then the timers that are due run, and SIM_TIME_DONE acknowledges the time to the simulator.
 /// Before the first SIM_TIME, bus time is 0 and no timer runs.
+///
+/// With a key, orders are sealed and checked as they arrive, before they can displace others in a
+/// queue; see OrderSeal. A bus that subscribes to orders challenges their senders.
 class LcmBus final : public Bus {
  public:
   /// Throws std::runtime_error, with advice, if LCM cannot be opened on the URL.
@@ -61,6 +68,7 @@ class LcmBus final : public Bus {
   [[nodiscard]] std::int64_t now_utime() const override;
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
+  [[nodiscard]] std::int64_t without_valid_seal() const override;
 
  private:
   bool wait(int timeout_ms, int stop_descriptor);
@@ -68,7 +76,11 @@ class LcmBus final : public Bus {
   static void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel, LcmBus* bus);
   [[nodiscard]] std::int64_t time_to_next_timer_us(std::int64_t timeout_us) const;
   void run_due_timers();
+  void receive(const ReceivedMessage& received);
   void subscribe_sim_time();
+  void subscribe_seal();
+  void publish_seal(std::string_view channel, const SealNonce& nonce);
+  void challenge_senders();
   void advance_to(std::int64_t utime);
 
   std::unique_ptr<lcm::LCM> lcm_;
@@ -79,7 +91,9 @@ class LcmBus final : public Bus {
   Timers timers_;
   Timers wall_timers_;  // with simulated time only; otherwise `timers_` has all timers
   std::set<std::string, std::less<>> channels_;
-  std::set<int> sockets_;       // on which LCM receives
+  std::set<int> sockets_;  // on which LCM receives
+  std::optional<OrderSeal> seal_;
+  bool receives_orders_ = false;
   std::exception_ptr failure_;  // of a callback; must not propagate through LCM's C code
   std::int64_t unsent_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/messages/result.hpp"
+#include "common/seal/seal_trailer.hpp"
 
 namespace adit {
 
@@ -22,9 +23,11 @@ inline std::int64_t fingerprint(std::span<const std::uint8_t> bytes) {
 
 /// Decodes a message of the generated type Msg from arbitrary bytes; never throws and never reads
 /// beyond them. Rejects everything that `encode` cannot produce: another fingerprint, counts that
-/// do not fit the bytes present, too few or too many bytes.
+/// do not fit the bytes present, too few or too many bytes. A seal behind the message, as in the
+/// log of a robot with sealed orders, is passed over; only the bus of a receiver verifies it.
 template <class Msg>
-Result<Msg> decode(std::span<const std::uint8_t> bytes) {
+Result<Msg> decode(std::span<const std::uint8_t> received) {
+  const std::span<const std::uint8_t> bytes = without_seal(received);
   if (bytes.size() > INT_MAX) return Rejected{"too large"};
   if (bytes.size() < sizeof(std::int64_t)) return Rejected{"shorter than a fingerprint"};
   if (fingerprint(bytes) != Msg::getHash()) return Rejected{"fingerprint of another type"};

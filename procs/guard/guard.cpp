@@ -101,6 +101,8 @@ void Guard::receive_supervisor(std::int64_t utime, std::int64_t now) {
   supervisor_received_.receive(time_.monotonic_us(utime));
 }
 
+void Guard::receive_stop(std::int64_t now) { stop_received_.receive(time_.advance_to(now)); }
+
 StopOrder Guard::evaluate(std::int64_t now) {
   time_.advance_to(now);
   find_reasons();
@@ -124,7 +126,7 @@ void Guard::find_reasons() {
   add(StopKind::kObstacle, obstacle());
   add(StopKind::kLaser, lasers());
   add(StopKind::kPose, pose_received_.staleness("pose", now_us, params_.timeout_s));
-  add(StopKind::kCommand, command_received_.staleness("command", now_us, params_.timeout_s));
+  add(StopKind::kCommand, command());
   add(StopKind::kTilt, unless_retreat(tilt_retreat_, tilt()));
   add(StopKind::kSinkage, unless_retreat(sinkage_retreat_, sinkage()));
   add(StopKind::kGas, unless_retreat(gas_retreat_, gas()));
@@ -140,6 +142,11 @@ void Guard::count_new() {
   for (const StopReason& reason : reasons_) active.at(static_cast<std::size_t>(reason.kind)) = true;
   for (std::size_t i = 0; i < active.size(); ++i) counts_.at(i) += active.at(i) && !active_.at(i);
   active_ = active;
+}
+
+Guard::Text Guard::command() const {
+  if (stop_received_.is_fresh(time_.now_us(), kForeignStopS)) return "stop ordered by another";
+  return command_received_.staleness("command", time_.now_us(), params_.timeout_s);
 }
 
 ArcMotion Guard::commanded_motion() const {

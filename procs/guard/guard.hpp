@@ -38,7 +38,8 @@ struct StopReason {
 /// - an obstacle within the stopping distance on the commanded arc or on the measured one;
 /// - stale data: the laser in the direction of motion, pose, commands;
 /// - roll, pitch, sinkage and air beyond their limits; a retreat is permitted;
-/// - a supervisor whose heartbeat has timed out.
+/// - a supervisor whose heartbeat has timed out;
+/// - a stop that somebody else on the network orders.
 /// It never fails: missing data is a reason to stop.
 ///
 /// `now` is bus time [µs since the epoch], and passed with all data.
@@ -58,6 +59,10 @@ class Guard {
   void receive(const SinkageReading& reading, std::int64_t now);
   void receive_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
   void receive_supervisor(std::int64_t utime, std::int64_t now);
+
+  /// A stop that another process orders: it holds for kForeignStopS after the last one.
+  void receive_stop(std::int64_t now);
+  static constexpr double kForeignStopS = 1.0;
 
   /// Evaluates all reasons: whether the vehicle must stop now, and why.
   StopOrder evaluate(std::int64_t now);
@@ -82,6 +87,7 @@ class Guard {
   [[nodiscard]] Text sinkage() const;
   [[nodiscard]] Text gas() const;
   [[nodiscard]] Text supervisor() const;
+  [[nodiscard]] Text command() const;
   [[nodiscard]] ArcMotion commanded_motion() const;
   [[nodiscard]] ArcMotion measured_motion() const;
 
@@ -90,7 +96,7 @@ class Guard {
   Surroundings surroundings_;
   AttitudeFilter attitude_;
   LastReceived command_received_, state_received_, imu_received_, gas_received_, sinkage_received_,
-      pose_received_, supervisor_received_;
+      pose_received_, supervisor_received_, stop_received_;
   DriveCommand command_;
   VehicleState state_;
   GasReading gas_;

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t kImuQueueSize = 100;        // of one second
 constexpr std::size_t kHeartbeatQueueSize = 100;  // of all stages, including the supervisor's
+constexpr std::size_t kStopQueueSize = 50;
+constexpr std::size_t kOwnStopsMax = 100;  // more than are in transit
 constexpr std::string_view kSupervisor = "supervisor";
 
 std::string counts_text(const Guard& guard) {
@@ -41,6 +43,7 @@ GuardNode::GuardNode(Bus& bus, const Params& params) : bus_(bus), guard_(params)
   subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
   subscribe_motion();
   subscribe_environment();
+  subscribe_foreign_stops();
   bus.create_timer(kEvaluationPeriodUs, [this](std::int64_t) { evaluate(); });
 }
 
@@ -85,6 +88,15 @@ void GuardNode::subscribe_environment() {
                          });
 }
 
+void GuardNode::subscribe_foreign_stops() {
+  subscribe<stop_t>(
+      bus_, channels::kStop, Delivery::queued(kStopQueueSize), [this](const StopOrder& order) {
+        const bool is_own =
+            std::find(own_utimes_.begin(), own_utimes_.end(), order.utime) != own_utimes_.end();
+        if (order.stopped && !is_own) guard_.receive_stop(bus_.now_utime());
+      });
+}
+
 void GuardNode::evaluate() {
   const StopOrder order = guard_.evaluate(bus_.now_utime());
   std::array<bool, kStopKindNames.size()> kinds{};
@@ -97,6 +109,8 @@ void GuardNode::evaluate() {
   published_utime_ = order.utime;
   published_stopped_ = order.stopped;
   published_kinds_ = kinds;
+  own_utimes_.push_back(order.utime);
+  if (own_utimes_.size() > kOwnStopsMax) own_utimes_.pop_front();
   publish(bus_, channels::kStop, to_message(order));
 }
 

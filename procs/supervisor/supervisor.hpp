@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/service/service_manager.hpp"
 #include "common/types/procman.hpp"
 #include "procs/supervisor/control/control_server.hpp"
 #include "procs/supervisor/fleet.hpp"

@@ -46,6 +46,7 @@ LcmBusOptions bus_options(const LiveRunOptions& run) {
   LcmBusOptions options;
   options.url = run.lcm_url;
   options.time = BusTime::kSimulated;  // its own SIM_TIME, received as by other stages
+  options.seal = load_section<SealParams>(load_config(run.config), SealParams::kSection).read();
   if (!run.record.empty()) options.stage = kRecordStage;
   return options;
 }

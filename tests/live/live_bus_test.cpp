@@ -18,6 +18,10 @@
 #include "common/bus/channel_filter.hpp"
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/lcm_transport.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
 
 namespace adit {
 namespace {
@@ -143,6 +147,78 @@ TEST_F(LiveBus, IgnoresDatagramsThatAreNotLcm) {
     return !received_.empty();
   });
   EXPECT_EQ(received_.at(0), Bytes{7});
+}
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+
+/// A receiver and an operator with the key; `sender_` is a neighbour without it.
+class SealedLiveBus : public LiveBus {
+ protected:
+  SealedLiveBus() {
+    subscribe<mission_order_t>(robot_, channels::kMissionOrder, Delivery::queued(100),
+                               [this](const MissionOrder&) { ++orders_; });
+    subscribe<stop_t>(robot_, channels::kStop, Delivery::queued(100),
+                      [this](const StopOrder& stop) { (stop.stopped ? stops_ : releases_) += 1; });
+    subscribe<heartbeat_t>(receiver_, channels::kHeartbeat, Delivery::queued(100),
+                           [this](const Heartbeat& heartbeat) { health_ = heartbeat.health; });
+  }
+
+  /// Runs both until the condition is true, with `action` in between; fails after ten seconds.
+  void run_until(const std::function<bool()>& condition, const std::function<void()>& action) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!condition()) {
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << "timeout";
+      action();
+      for (LcmBus* bus : {&robot_, &operator_, &receiver_}) {
+        while (bus->handle(1)) {
+        }
+      }
+    }
+  }
+
+  static void order(LcmBus& bus) {
+    publish(bus, channels::kMissionOrder,
+            to_message(MissionOrder{kUtime, MissionOrder::Kind::kResume}));
+  }
+
+  SealKey key_ = SealKey::random();
+  LcmBus robot_{{.url = "", .seal = key_}};
+  NodeHost host_{robot_, {"mission", "1", ""}};
+  LcmBus operator_{{.url = "", .seal = key_}};
+  int orders_ = 0;
+  int stops_ = 0;
+  int releases_ = 0;
+  Health health_;
+};
+
+TEST_F(SealedLiveBus, AcceptsOrdersOfTheOperatorAndCountsThoseOfANeighbour) {
+  run_until([&] { return orders_ > 0; }, [&] { order(operator_); });
+  const std::int64_t before = robot_.without_valid_seal();
+  orders_ = 0;
+  for (int i = 0; i < 5; ++i) order(sender_);
+  run_until([&] { return robot_.without_valid_seal() == before + 5; }, [] {});
+  EXPECT_EQ(orders_, 0);
+  run_until([&] { return health_.level == Health::Level::kDegraded; }, [] {});
+  EXPECT_EQ(health_.reason, "5 orders without a valid seal were rejected");
+}
+
+TEST_F(SealedLiveBus, AcceptsAStopFromAnybodyAndItsReleaseFromTheSealedOnly) {
+  const auto stop = [](LcmBus& bus, bool stopped) {
+    publish(bus, channels::kStop, to_message(StopOrder{kUtime, stopped, stopped ? "reason" : ""}));
+  };
+  run_until([&] { return releases_ > 0; }, [&] { stop(operator_, false); });
+  releases_ = 0;
+  stop(sender_, false);
+  stop(sender_, true);
+  run_until([&] { return stops_ == 1; }, [] {});
+  EXPECT_EQ(releases_, 0);
+}
+
+TEST_F(SealedLiveBus, IsReadByWhoHasNoKey) {
+  bool is_read = false;
+  subscribe<mission_order_t>(receiver_, channels::kMissionOrder, Delivery::queued(100),
+                             [&](const MissionOrder&) { is_read = true; });
+  run_until([&] { return is_read; }, [&] { order(operator_); });
 }
 
 }  // namespace

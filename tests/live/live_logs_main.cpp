@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// live_logs write LOG: writes a log of scans for the relay, some of them malformed.
+// live_logs write LOG: writes a log of scans for the relay, some of them malformed, and of sealed
+//   orders.
 // live_logs write-all LOG SECONDS: writes a log with a message of every type, ten times per second.
-// live_logs fingerprints: prints every message type and its fingerprint in C++.
+// live_logs fingerprints: prints every message type, its fingerprint in C++, and a sealed message.
 // live_logs check PLAYED RECORDED: checks the log that was recorded while PLAYED was played to the
 // relay; prints failed requirements.
 #include <iostream>
@@ -18,7 +19,9 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
+#include "common/seal/seal_sender.hpp"
 #include "tests/live/checks/log_check.hpp"
 #include "tests/support/message_types.hpp"
 
@@ -32,12 +35,16 @@ constexpr std::int64_t kPeriodUs = 13'333;
 
 void write(const std::string& path) {
   LogWriter log(path);
+  SealSender seal(SealKey::random());
   for (int i = 0; i < kScans; ++i) {
     const LaserScan scan{kStart + i * kPeriodUs,
                          std::vector<float>(static_cast<std::size_t>(180 + i), 5.0F), -1.5, 0.0087};
     std::vector<std::uint8_t> bytes = encode(to_message(scan));
     if (i % kMalformedEvery == 0) bytes[16] = 0xFF;  // a negative number of beams
     log.write({scan.utime, channels::kLaserFront, bytes});
+    const auto order = encode(to_message(DriveCommand{scan.utime, 0.1, 0.0}));
+    log.write({scan.utime, channels::kDriveCommand,
+               seal.seal(channels::kDriveCommand, order, scan.utime)});
   }
   log.close();
 }
@@ -53,8 +60,11 @@ void write_all(const std::string& path, int seconds) {
 }
 
 void print_fingerprints() {
+  SealSender seal(SealKey::random());
   for (const MessageType& type : message_types()) {
-    std::cout << type.package << "." << type.name << " " << type.fingerprint << "\n";
+    const auto sealed = seal.seal(type.channel, type.sample, kStart);
+    std::cout << fmt::format("{}.{} {} {:02x}\n", type.package, type.name, type.fingerprint,
+                             fmt::join(sealed, ""));
   }
 }
 
@@ -86,6 +96,10 @@ void check(const std::string& played_path, const std::string& recorded_path) {
   auto recorded = by_channel(recorded_path);
   require(recorded["LASER_FRONT"] == played["LASER_FRONT"], "the scans are recorded unchanged");
   check_poses(recorded["POSE"]);
+  require(recorded["DRIVE_COMMAND"] == played["DRIVE_COMMAND"],
+          "the sealed orders are recorded unchanged");
+  const auto order = decode<drive_command_t>(recorded["DRIVE_COMMAND"].at(0));
+  require(order && order->speed_m_s == 0.1, "a sealed order in a log is read");
 
   require(!recorded["CONFIG"].empty(), "the configuration was published");
   const auto config = from_message(*decode<config_t>(recorded["CONFIG"].at(0)));

@@ -16,6 +16,7 @@
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/procman.hpp"
+#include "common/messages/seal.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
 
@@ -208,6 +209,13 @@ std::vector<MessageType> simulation_types() {
           type_of(channels::kSimTimeDone, to_message(SimTimeDone{kUtime, "mapping"}))};
 }
 
+/// Types of sealed orders.
+std::vector<MessageType> seal_types() {
+  SealNonce nonce{};
+  for (std::size_t i = 0; i < nonce.size(); ++i) nonce.at(i) = static_cast<std::uint8_t>(i + 1);
+  return {type_of(channels::kSealChallenge, to_message(SealChallenge{kUtime, nonce}))};
+}
+
 /// Types of procman.
 std::vector<MessageType> procman_types() {
   const ProcmanCommand command{"mapping", "adit-mapping --sim-time", "slam", true, 15, 3.0};
@@ -262,7 +270,7 @@ std::vector<MessageType> stage_types() {
 std::vector<MessageType> message_types() {
   std::vector<MessageType> types = stage_types();
   for (const auto& more : {vehicle_types(), navigation_types(), mission_types(), simulation_types(),
-                           procman_types()}) {
+                           seal_types(), procman_types()}) {
     types.insert(types.end(), more.begin(), more.end());
   }
   return types;

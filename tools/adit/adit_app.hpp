@@ -37,11 +37,15 @@ void print_report(const ReportOptions& options);
 /// with a heading. The group column is omitted if it is empty.
 std::string process_table_text(std::string_view rows);
 
+/// Adds the option --key of commands that send orders: the file of a SealKey, or empty.
+void add_key_option(CLI::App& command, std::string& key);
+
 // Each function adds one sub-command (add_process_commands: start, stop, restart and ps).
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
+void add_key_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
 void add_mission_command(CLI::App& adit);

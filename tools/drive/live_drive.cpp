@@ -14,6 +14,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/node/stop_signal.hpp"
+#include "common/bus/order_seal.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/config/config.hpp"
 #include "common/messages/navigation.hpp"
@@ -73,6 +74,7 @@ Vehicle vehicle_in(const std::filesystem::path& config) {
 LcmBusOptions bus_options(const LiveDriveOptions& options) {
   LcmBusOptions bus;
   bus.url = options.lcm_url;
+  bus.seal = SealParams{options.key}.read();
   return bus;
 }
 

@@ -12,6 +12,7 @@ struct LiveDriveOptions {
   std::filesystem::path waypoints;  ///< for read_waypoints(), used by drive_by_waypoints()
   std::filesystem::path config;     ///< section `vehicle`; empty: defaults
   std::string lcm_url;
+  std::string key;  ///< file of the key that seals the commands; empty: not sealed
 };
 
 /// Drives by the keys of the terminal, with 20 commands per second, until q, SIGINT or SIGTERM;

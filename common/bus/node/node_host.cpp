@@ -56,6 +56,11 @@ const SubscriptionStats& StageBus::stats(SubscriptionId id) const { return bus_.
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kSealReportPeriod = 60 * kSecond;
+
+std::string seals_text(std::int64_t count) {
+  return std::to_string(count) + " orders without a valid seal were rejected";
+}
 
 StageStats::Subscription difference(const SubscriptionStats& now, const SubscriptionStats& before) {
   return {now.channel, now.handled - before.handled, now.rejected - before.rejected,
@@ -114,8 +119,12 @@ void NodeHost::publish_heartbeat(std::int64_t utime) {
     heartbeat.health = {Health::Level::kDegraded,
                         std::to_string(bus_.unsent()) + " messages were not sent"};
   }
+  if (heartbeat.health.level == Health::Level::kOk && bus_.without_valid_seal() > 0) {
+    heartbeat.health = {Health::Level::kDegraded, seals_text(bus_.without_valid_seal())};
+  }
   publish(bus_, channels::kHeartbeat, to_message(heartbeat));
   report_rejections();
+  report_seals(utime);
 }
 
 /// Degraded if since the last heartbeat most messages of a channel were rejected.
@@ -166,6 +175,15 @@ void NodeHost::report_rejections() {
       if (reported_.insert(what).second) *error_stream_ << stage_.name << ": " << what << std::endl;
     }
   }
+}
+
+/// One line a minute at most: a neighbour who floods the network must not fill the disk.
+void NodeHost::report_seals(std::int64_t utime) {
+  if (!error_stream_ || bus_.without_valid_seal() == reported_seals_) return;
+  if (reported_seals_utime_ && utime - *reported_seals_utime_ < kSealReportPeriod) return;
+  reported_seals_ = bus_.without_valid_seal();
+  reported_seals_utime_ = utime;
+  *error_stream_ << stage_.name << ": " << seals_text(reported_seals_) << std::endl;
 }
 
 HostedNode::HostedNode(Bus& bus, const ConfiguredNode& node, StageBus::Measure measure,

@@ -49,6 +49,9 @@ class StageBus final : public Bus {
   [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }
+  [[nodiscard]] std::int64_t without_valid_seal() const override {
+    return bus_.without_valid_seal();
+  }
 
  private:
   Handler with_timing(Handler handler);
@@ -96,6 +99,7 @@ class NodeHost {
   void publish_stats(std::int64_t utime);
   [[nodiscard]] Health input_health();
   void report_rejections();
+  void report_seals(std::int64_t utime);
 
   StageBus bus_;
   Stage stage_;
@@ -106,6 +110,8 @@ class NodeHost {
   std::vector<SubscriptionStats> last_stats_;
   std::vector<SubscriptionStats> heartbeat_stats_;  ///< at the last heartbeat
   std::set<std::string> reported_;                  // rejections already written to error_stream_
+  std::int64_t reported_seals_ = 0;
+  std::optional<std::int64_t> reported_seals_utime_;
 };
 
 /// Type-erased interface of a running node.

@@ -18,12 +18,14 @@
 #include "common/bus/node/version.hpp"
 #include "common/command_line/command_line.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/service/service_manager.hpp"
 #include "common/text/message_text.hpp"
 
 namespace adit {
 namespace {
 
 constexpr int kExitUnusable = 2;
+constexpr std::int64_t kWatchdogPeriodUs = 1'000'000;
 constexpr const char* kConfigVariable = "ADIT_CONFIG";
 
 struct Options {
@@ -67,21 +69,29 @@ void export_to_children(const Options& options) {
   if (!options.lcm_url.empty()) setenv("LCM_DEFAULT_URL", options.lcm_url.c_str(), 1);
 }
 
-LcmBusOptions bus_options(const Options& options, const std::string& stage) {
+LcmBusOptions bus_options(const Options& options, const std::string& stage,
+                          const SealParams& seal) {
   LcmBusOptions bus;
   bus.url = options.lcm_url;
   if (options.sim_time) bus.time = BusTime::kSimulated;
   bus.stage = stage;
+  bus.seal = seal.read();
   return bus;
 }
 
-void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options) {
+void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options,
+                const SealParams& seal) {
   const StopSignal stop;  // before LCM starts its thread
   if (const auto advice = receive_buffer_advice(options.lcm_url)) {
     print_error(program, *advice);
   }
-  LcmBus bus(bus_options(options, node.stage));
+  LcmBus bus(bus_options(options, node.stage, seal));
   const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
+  const ServiceManager service;
+  if (ServiceManager::expects_watchdog()) {
+    bus.create_wall_timer(kWatchdogPeriodUs,
+                          [&service](std::int64_t) { service.notify("WATCHDOG=1"); });
+  }
   bus.run(stop.descriptor());
 }
 
@@ -98,14 +108,16 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
     return *exit_code;
   }
 
-  const ConfiguredNode node = configure(load(options.config, stage));
+  const ConfigFile file = load(options.config, stage);
+  const ConfiguredNode node = configure(file);
+  const auto seal = load_section<SealParams>(file, SealParams::kSection);
   if (options.print_config) {
     std::cout << node.yaml;
     finish_standard_output();
     return 0;
   }
   export_to_children(options);  // before any thread starts
-  run_on_lcm(program, node, options);
+  run_on_lcm(program, node, options, seal);
   return 0;
 } catch (const std::exception& error) {
   print_error("adit-" + stage, error.what());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/order_seal.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/vehicle.hpp"
 
@@ -26,6 +27,7 @@ inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);
   names.emplace_back(Vehicle::kSection);
+  names.emplace_back(SealParams::kSection);
   names.emplace_back(kSimSection);
   return names;
 }

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-#include <string_view>
-
 #include "procs/supervisor/os/file_descriptor.hpp"
 
 namespace adit {
@@ -23,19 +20,6 @@ class ReloadSignal {
 
  private:
   FileDescriptor descriptor_;
-};
-
-/// Status notifications to systemd (Type=notify): the protocol of sd_notify(3) on the socket
-/// NOTIFY_SOCKET. Has no effect without that variable and never blocks.
-class ServiceManager {
- public:
-  ServiceManager();
-
-  /// `state`: "READY=1", "WATCHDOG=1", "STATUS=...", one per line.
-  void notify(std::string_view state) const;
-
- private:
-  std::string socket_;
 };
 
 }  // namespace adit

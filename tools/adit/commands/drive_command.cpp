@@ -19,6 +19,7 @@ namespace {
 struct DriveOptions {
   DriveRunOptions run;
   std::string lcm_url;
+  std::string key;
   bool keyboard = false;
 };
 
@@ -63,7 +64,8 @@ void drive_in_process(const DriveRunOptions& options) {
 
 void drive(const DriveOptions& options) {
   if (!options.run.world.name.empty()) return drive_in_process(options.run);
-  const LiveDriveOptions live{options.run.waypoints, options.run.config, options.lcm_url};
+  const LiveDriveOptions live{options.run.waypoints, options.run.config, options.lcm_url,
+                              options.key};
   if (options.keyboard) return drive_by_keys(live);
   if (options.run.waypoints.empty()) {
     throw std::invalid_argument("either --keyboard or --waypoints is required");
@@ -103,6 +105,7 @@ void add_drive_command(CLI::App& adit) {
   command->add_option("--lcm-url", options->lcm_url, "LCM network, instead of the default")
       ->type_name("URL")
       ->excludes(world);
+  add_key_option(*command, options->key);
   command->callback([options] { drive(*options); });
 }
 

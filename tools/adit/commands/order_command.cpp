@@ -16,6 +16,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
+#include "common/bus/order_seal.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/command_line/command_line.hpp"
 #include "common/messages/mission.hpp"
@@ -34,7 +35,8 @@ struct MissionOrderOptions {
   MissionOrder::Kind order = MissionOrder::Kind::kPause;
   std::filesystem::path mission;  ///< folder of a mission on a private network; empty: this network
   std::string lcm_url;            ///< empty: LCM's default
-  double timeout_s = 10.0;        ///< of wall time
+  SealParams seal;
+  double timeout_s = 10.0;  ///< of wall time
 };
 
 const std::map<std::string, MissionOrder::Kind> kOrders{{"pause", MissionOrder::Kind::kPause},
@@ -49,11 +51,13 @@ constexpr const char* kOrderDetails =
   return  return to the start; this cannot be undone
   stop    stop the vehicle and end the mission in place; the robot does not return
 
-The order is repeated until the mission executes it; the new phase is printed. Orders require a network
+The order is repeated until the mission executes it; the new phase is printed. A robot with sealed orders
+executes those sealed with its --key only. Orders require a network
 connection to the robot: use them at the surface and in simulation.)";
 
 constexpr const char* kOrderExamples =
     R"(  adit order return                          the mission on this network
+  adit order resume --key seal.key           a robot with sealed orders
   adit order pause --mission out             the mission of `adit mission mathies --out out`)";
 
 /// The id in mission.pid. Throws std::runtime_error if no such process exists.
@@ -105,7 +109,7 @@ std::string order_mission(const MissionOrderOptions& options) {
     enter_network_of(process_of(options.mission));
     unsetenv("LCM_DEFAULT_URL");
   }
-  LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated});
+  LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated, .seal = options.seal.read()});
   std::optional<MissionPhase> phase;
   subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
                      [&](const MissionPhase& received) { phase = received; });
@@ -145,6 +149,7 @@ void add_order_command(CLI::App& adit) {
       ->capture_default_str();
   command->add_option("--lcm-url", options->lcm_url, "LCM network, instead of the default")
       ->type_name("URL");
+  add_key_option(*command, options->seal.key);
   command->callback([options] { std::cout << message_line(order_mission(*options)) << "\n"; });
 }
 

@@ -19,6 +19,7 @@
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/procman.hpp"
+#include "common/messages/seal.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
 #include "tests/support/message_types.hpp"
@@ -271,6 +272,17 @@ TEST(Golden, SimTimeDone) {
   message.utime = kUtime;
   message.stage = "mapping";
   expect_golden(message, SimTimeDone{kUtime, "mapping"});
+}
+
+TEST(Golden, SealNonce) {
+  seal_nonce_t message;
+  message.utime = kUtime;
+  SealChallenge value{kUtime, {}};
+  for (std::size_t i = 0; i < value.nonce.size(); ++i) {
+    value.nonce.at(i) = static_cast<std::uint8_t>(0xF0 + i);
+    message.nonce[i] = value.nonce.at(i);
+  }
+  expect_golden(message, value);
 }
 
 TEST(Golden, RunState) {

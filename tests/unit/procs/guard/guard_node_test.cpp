@@ -94,6 +94,18 @@ TEST_F(GuardNodeTest, MonitorsTheHeartbeatOfTheSupervisorOnly) {
   EXPECT_FALSE(orders_.back().stopped);
 }
 
+TEST_F(GuardNodeTest, StopsWhileAnybodyOrdersAStop) {
+  run(2.0);
+  EXPECT_FALSE(orders_.back().stopped);
+  publish(bus_, channels::kStop, to_message(StopOrder{now_ + 1, true, "by hand"}));
+  run(0.1);
+  EXPECT_THAT(orders_.back().reason, testing::HasSubstr("stop ordered by another"));
+  run(0.8);
+  EXPECT_TRUE(orders_.back().stopped);
+  run(1.0);  // kForeignStopS has passed, then hold_s
+  EXPECT_FALSE(orders_.back().stopped);
+}
+
 TEST_F(GuardNodeTest, IgnoresInvalidMessages) {
   run(1.0);
   EXPECT_FALSE(orders_.back().stopped);

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/seal.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/messages/checks.hpp"
+
+namespace adit {
+
+seal_nonce_t to_message(const SealChallenge& challenge) {
+  seal_nonce_t message;
+  message.utime = challenge.utime;
+  std::copy(challenge.nonce.begin(), challenge.nonce.end(), std::begin(message.nonce));
+  return message;
+}
+
+Result<SealChallenge> from_message(const seal_nonce_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  SealChallenge challenge{message.utime, {}};
+  std::copy(std::begin(message.nonce), std::end(message.nonce), challenge.nonce.begin());
+  return challenge;
+}
+
+}  // namespace adit

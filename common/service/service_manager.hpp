@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace adit {
+
+/// Notifications to systemd: the protocol of sd_notify(3) on the socket NOTIFY_SOCKET. Has no
+/// effect without that variable and never blocks.
+class ServiceManager {
+ public:
+  ServiceManager();
+
+  /// `state`: "READY=1", "WATCHDOG=1", "STATUS=...", one per line.
+  void notify(std::string_view state) const;
+
+  /// Whether systemd expects "WATCHDOG=1" of this process itself (WATCHDOG_PID), not of its parent.
+  [[nodiscard]] static bool expects_watchdog();
+
+ private:
+  std::string socket_;
+};
+
+}  // namespace adit

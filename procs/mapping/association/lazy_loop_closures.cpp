@@ -286,4 +286,11 @@ OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& acce
   return all;
 }
 
+OptimizeResult optimize_accepted(PoseGraph& graph, const LazyLoopClosuresResult& result,
+                                 const OptimizeObserver& observer) {
+  const bool has_start = !result.T_map_node.empty();
+  if (has_start) graph.poses = result.T_map_node;
+  return optimize_accepted(graph, result.accepted, observer, has_start);
+}
+
 }  // namespace adit

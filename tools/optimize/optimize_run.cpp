@@ -96,9 +96,7 @@ OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
   OptimizeRun run;
   run.loops = loop_decisions(file, lazy);
   run.loops->association_ms = association.count();
-  const bool has_start = !lazy.T_map_node.empty();
-  if (has_start) file.graph.poses = lazy.T_map_node;
-  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer(), has_start);
+  run.result = optimize_accepted(file.graph, lazy, run.stopwatch.observer());
   require_poses(file, run.result);
   if (auto doubt = doubt_of_misfit(lazy, run.result.objective)) {
     run.loops->doubts.push_back(std::move(*doubt));

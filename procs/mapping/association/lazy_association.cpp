@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "common/geometry/order_statistics.hpp"
+#include "common/pose_graph/gaussian_field.hpp"
 
 namespace adit {
 namespace {
@@ -494,6 +495,28 @@ double LazyAssociation::chance(const LoopClosure& loop_closure) {
                        problem_.odometry.area_m2());
 }
 
+bool LazyAssociation::has_contradictory_group() const {
+  const auto is_accepted = [&](int k) {
+    return hypothesis_.chosen[as_index(k)] != Association::kNone;
+  };
+  std::optional<GaussianField> field;
+  for (const std::vector<int>& members : problem_.members) {
+    std::vector<PoseConstraint> removed;
+    for (const int k : members) {
+      if (!is_accepted(k)) continue;
+      const PoseConstraint c =
+          constraint_of(problem_.loop_closures[as_index(k)], hypothesis_.chosen[as_index(k)]);
+      if (!field) field.emplace(graph_of(problem_, hypothesis_));
+      if (field->remove(c)) removed.push_back(c);
+    }
+    const auto misfits = std::ranges::count_if(
+        removed, [&](const PoseConstraint& c) { return field->objective_increase(c) > gate(); });
+    if (removed.size() > 1 && 2 * misfits > std::ssize(removed)) return true;
+    for (const PoseConstraint& c : removed) field->add(c);
+  }
+  return false;
+}
+
 bool LazyAssociation::is_evidence(double chance) const {
   const auto rejected =
       static_cast<double>(std::ranges::count(hypothesis_.chosen, Association::kNone));
@@ -511,6 +534,12 @@ void LazyAssociation::estimate_noise() {
     errors.push_back(without.objective_decrease);
   }
   noise_ = std::clamp(kNoiseMargin * median(std::move(errors)) / kMedianChiSquare3, kNoiseMin, 1.0);
+}
+
+bool LazyAssociation::raise_noise(double variance_factor) {
+  if (noise_.value_or(1.0) < 1.0) return false;
+  noise_ = variance_factor;
+  return true;
 }
 
 /// Where wrong loop closures fit by chance, a rejected one is not accepted for fitting now.

@@ -121,6 +121,11 @@ class LazyAssociation {
   std::vector<Association> postpone(std::vector<LoopClosure> loop_closures,
                                     const std::vector<int>& groups, std::int64_t utime);
 
+  /// Whether a group of accepted loop closures does not fit the map without it: of two or more,
+  /// most exceed the gate. Wrong ones that agree with each other each fit with the others. Costs
+  /// two updates of the factor for each.
+  [[nodiscard]] bool has_contradictory_group() const;
+
   /// The probability that the present map would accept this loop closure if it were wrong: by
   /// chance, since it is then as likely to be anywhere in the map.
   [[nodiscard]] double chance(const LoopClosure& loop_closure);
@@ -132,6 +137,10 @@ class LazyAssociation {
   /// from the median of what each adds to the objective, and lowers the gates accordingly. For
   /// files whose information has an arbitrary scale; the gates are not raised.
   void estimate_noise();
+
+  /// Raises the gates to the errors that a map shows as a whole: `variance_factor` times those
+  /// stated, above 1. False, with the gates unchanged, if the loop closures have smaller errors.
+  bool raise_noise(double variance_factor);
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
   [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }

@@ -21,7 +21,7 @@ namespace {
 constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: weight 1/4
 // Loop closures decided together; more where they agree, fewer where they do not.
 constexpr std::size_t kBatchFirst = 16;
-constexpr std::size_t kBatchMax = 1024;
+constexpr std::size_t kBatchMax = 1 << 16;
 constexpr std::size_t kNoiseGrowth = 2;  // of the accepted loops between estimates of their noise
 constexpr int kReweightings = 30;
 constexpr double kMisfitDoubtful = 4.0;   // chi-square by its expectation
@@ -87,6 +87,13 @@ class CondensedChain {
  private:
   std::vector<int> node_;  // of each pose, or −1
 };
+
+/// The chi-square of a map by its expectation: the variance of unit weight of adjustment
+/// computation. Nothing for too few loops.
+std::optional<double> variance_factor(double objective, std::ptrdiff_t accepted) {
+  if (accepted < kDoubtLoopsMin) return std::nullopt;
+  return objective / (3.0 * static_cast<double>(accepted));
+}
 
 /// The accepted constraints, at full weight.
 struct AcceptedConstraints {
@@ -225,14 +232,31 @@ class FileAssociation {
     record(remaining, association_.postpone(std::move(loop_closures), groups, 0));
     if (params_.best_first) association_.estimate_noise();
     record({}, association_.reconsider(0));
+    if (params_.best_first) reconsider_by_variance_factor();
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const int constraint = odometry_.loops[as_index(order_[i])];
       result_.constraint_of_loop_closure.push_back(constraint);
       result_.accepted[as_index(constraint)] =
           association_.hypothesis().chosen[i] != Association::kNone;
     }
+    // Where no loop was rejected, none is suspected; the test would cost as much as all decisions.
+    const bool is_contested = std::ranges::count(result_.accepted, false) > 0;
+    if (params_.best_first && is_contested && association_.has_contradictory_group()) {
+      result_.doubts.emplace_back("a group of accepted loops contradicts the others");
+    }
     result_.bridges = odometry_.bridges;
     result_.trials = association_.trials();
+  }
+
+  /// Where the errors are larger than stated as a whole, right loops were rejected: the rejected
+  /// ones are decided again by gates for these errors. Once only, and not where the map may be
+  /// wrong.
+  void reconsider_by_variance_factor() {
+    const Hypothesis& map = association_.hypothesis();
+    const auto rejected = std::ranges::count(map.chosen, Association::kNone);
+    const auto factor = variance_factor(map.objective, std::ssize(map.chosen) - rejected);
+    if (!factor || *factor <= 1.0 || *factor >= kMisfitDoubtful) return;
+    if (association_.raise_noise(*factor)) record({}, association_.reconsider(0));
   }
 
   const PoseGraph& graph_;
@@ -256,10 +280,9 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
 std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective) {
   const auto accepted = std::ranges::count_if(result.constraint_of_loop_closure,
                                               [&](int k) { return result.accepted[as_index(k)]; });
-  if (accepted < kDoubtLoopsMin) return std::nullopt;
-  const double misfit = objective / (3.0 * static_cast<double>(accepted));
-  if (misfit < kMisfitDoubtful) return std::nullopt;
-  return fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", misfit);
+  const auto misfit = variance_factor(objective, accepted);
+  if (!misfit || *misfit < kMisfitDoubtful) return std::nullopt;
+  return fmt::format("the chi-square of the map is {:.1f} times that of the stated noise", *misfit);
 }
 
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
@@ -284,6 +307,13 @@ OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& acce
   all.objective = objective({graph.poses, full.constraints});
   if (observer) observer(OptimizePhase::kEnd);
   return all;
+}
+
+OptimizeResult optimize_accepted(PoseGraph& graph, const LazyLoopClosuresResult& result,
+                                 const OptimizeObserver& observer) {
+  const bool has_start = !result.T_map_node.empty();
+  if (has_start) graph.poses = result.T_map_node;
+  return optimize_accepted(graph, result.accepted, observer, has_start);
 }
 
 }  // namespace adit

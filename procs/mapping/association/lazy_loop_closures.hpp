@@ -46,6 +46,10 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
 OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
                                  const OptimizeObserver& observer = {}, bool from_poses = false);
 
+/// The same for the constraints that `result` accepts, from the poses of `result` where it has any.
+OptimizeResult optimize_accepted(PoseGraph& graph, const LazyLoopClosuresResult& result,
+                                 const OptimizeObserver& observer = {});
+
 /// A sentence if `objective`, that of `optimize_accepted`, is more than four times the expectation
 /// for the accepted loops: wrong loops that agree with each other leave such a tension in the map.
 std::optional<std::string> doubt_of_misfit(const LazyLoopClosuresResult& result, double objective);

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kIntervals = 300;
 constexpr double kSpread = 2.0;  // of uncertainty among loops decided together
+// Of the accepted loops, to be decided together, so that the number of batches grows with the
+// logarithm of theirs.
+constexpr double kBatchShare = 0.25;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Eigen::Vector3d variances(const PoseConstraint& constraint) {
@@ -88,7 +91,8 @@ std::vector<double> LoopOrder::distances_from(const Links& links, int interval) 
   return distances;
 }
 
-std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int>& accepted) const {
+LoopOrder::Candidates LoopOrder::most_certain(std::size_t most,
+                                              const std::vector<int>& accepted) const {
   Links links = chain_;
   for (const int loop : accepted) {
     const PoseConstraint& c = loops_[as_index(loop)];
@@ -105,12 +109,18 @@ std::vector<int> LoopOrder::most_certain(std::size_t most, const std::vector<int
   }
   std::sort(order.begin(), order.end());
   if (order.size() > most) order.resize(most);
-  std::vector<int> chosen;
+  const double certain =
+      kSpread * std::max(order.empty() ? 0.0 : order.front().first, interval_variance_);
+  const auto least = static_cast<std::size_t>(kBatchShare * static_cast<double>(accepted.size()));
+  Candidates candidates;
   for (const auto& [distance, loop] : order) {
-    if (distance > kSpread * std::max(order.front().first, interval_variance_)) break;
-    chosen.push_back(loop);
+    if (distance <= certain) {
+      candidates.most_certain.push_back(loop);
+    } else if (candidates.most_certain.size() + candidates.further.size() < least) {
+      candidates.further.push_back(loop);
+    }
   }
-  return chosen;
+  return candidates;
 }
 
 void LoopOrder::take(const std::vector<int>& loops) {

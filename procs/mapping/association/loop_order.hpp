@@ -23,10 +23,14 @@ class LoopOrder {
   LoopOrder(const std::vector<PoseConstraint>& chain, const std::vector<PoseConstraint>& bridges,
             std::vector<PoseConstraint> loops);
 
-  /// The pending loops that are most certain where these loops are accepted, at most `most`:
-  /// indices, most certain first. The last is at most twice as uncertain as the first.
-  [[nodiscard]] std::vector<int> most_certain(std::size_t most,
-                                              const std::vector<int>& accepted) const;
+  /// Pending loops, by their indices, most certain first.
+  struct Candidates {
+    std::vector<int> most_certain;  ///< the last is at most twice as uncertain as the first
+    /// The next ones, where the former are few: both are a quarter of the accepted loops.
+    std::vector<int> further;
+  };
+  /// The pending loops that are most certain where these loops are accepted, at most `most`.
+  [[nodiscard]] Candidates most_certain(std::size_t most, const std::vector<int>& accepted) const;
   /// Takes loops from the pending ones.
   void take(const std::vector<int>& loops);
   [[nodiscard]] bool is_pending(int loop) const { return is_pending_[as_index(loop)]; }

@@ -6,6 +6,11 @@
 #include <set>
 
 namespace adit {
+namespace {
+
+constexpr double kChanceFurtherMax = 1e-4;  // of less certain loops that are decided with the next
+
+}  // namespace
 
 LoopQueue::LoopQueue(std::vector<LoopClosure> loop_closures, LazyAssociation& association,
                      const LazyAssociationParams& params)
@@ -36,13 +41,19 @@ std::pair<std::vector<LoopClosure>, std::vector<int>> LoopQueue::with_groups(
 
 std::vector<int> LoopQueue::next(std::size_t most) {
   if (!order_) return next_in_time(most);
-  const std::vector<int> candidates = order_->most_certain(most, accepted_);
+  const auto [candidates, further] = order_->most_certain(most, accepted_);
   std::vector<int> next;
   std::vector<int> uncertain;
   for (const int i : candidates) {
     const double chance = association_.chance(loop_closures_[as_index(i)]);
     if (chance < kChanceMax) next.push_back(i);
     if (chance >= kChanceMax && association_.is_evidence(chance)) uncertain.push_back(i);
+  }
+  // A batch costs as much as the whole graph: where the next would fit hardly by chance, few
+  // suffice.
+  for (const int i : further) {
+    if (!next.empty() && association_.chance(loop_closures_[as_index(i)]) < kChanceFurtherMax)
+      next.push_back(i);
   }
   if (next.empty()) next = best_supported(candidates);
   if (next.empty()) next = uncertain;

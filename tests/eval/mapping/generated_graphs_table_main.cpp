@@ -29,6 +29,7 @@ using test::LoopLabel;
 struct Selection {
   std::vector<bool> accepted;
   bool is_doubtful = false;
+  std::vector<Pose2> start;  ///< of the optimisation under them; empty: from rotation averaging
 };
 
 struct Method {
@@ -42,33 +43,40 @@ const std::vector<Method>& methods() {
        [](const LabelledGraph& l) {
          std::vector<bool> accepted;
          for (const LoopLabel label : l.labels) accepted.push_back(label != LoopLabel::kWrong);
-         return Selection{std::move(accepted)};
+         return Selection{std::move(accepted), false, l.truth};
        }},
       {"lazy",
        [](const LabelledGraph& l) {
          LazyLoopClosuresResult result = associate_loops_lazily(l.graph, {});
          PoseGraph graph = l.graph;
-         const double objective = optimize_accepted(graph, result.accepted).objective;
+         const double objective = optimize_accepted(graph, result).objective;
          const bool is_doubtful = !result.doubts.empty() || doubt_of_misfit(result, objective);
-         return Selection{std::move(result.accepted), is_doubtful};
+         return Selection{std::move(result.accepted), is_doubtful, std::move(result.T_map_node)};
        }},
-      {"gnc", [](const LabelledGraph& l) { return Selection{accepted_by_gnc(l.graph)}; }},
-      {"dcs", [](const LabelledGraph& l) { return Selection{accepted_by_dcs(l.graph)}; }}};
+      {"gnc",
+       [](const LabelledGraph& l) {
+         return Selection{accepted_by_gnc(l.graph), false, {}};
+       }},
+      {"dcs", [](const LabelledGraph& l) {
+         return Selection{accepted_by_dcs(l.graph), false, {}};
+       }}};
   return all;
 }
 
 double cpu_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-double rmse_m(const LabelledGraph& labelled, const std::vector<bool>& accepted) {
+double rmse_m(const LabelledGraph& labelled, const Selection& selection) {
   PoseGraph graph = labelled.graph;
-  optimize_accepted(graph, accepted);
+  const bool has_start = !selection.start.empty();
+  if (has_start) graph.poses = selection.start;
+  optimize_accepted(graph, selection.accepted, {}, has_start);
   return test::rmse_m(labelled, graph.poses);
 }
 
 void print_row(const test::GraphScenario& scenario, const LabelledGraph& labelled,
                const Method& method) {
   const double begin = cpu_s();
-  const auto [accepted, is_doubtful] = method.select(labelled);
+  const Selection selection = method.select(labelled);
   const double took_s = cpu_s() - begin;
   const auto count = [&](LoopLabel label) {
     return static_cast<int>(std::count(labelled.labels.begin(), labelled.labels.end(), label));
@@ -77,9 +85,9 @@ void print_row(const test::GraphScenario& scenario, const LabelledGraph& labelle
               test::text(scenario.world).c_str(), test::text(scenario.wrong).c_str(),
               labelled.graph.poses.size(), count(LoopLabel::kRight), count(LoopLabel::kWrong),
               scenario.drift, method.name,
-              test::count_accepted(labelled, accepted, LoopLabel::kRight),
-              test::count_accepted(labelled, accepted, LoopLabel::kWrong),
-              rmse_m(labelled, accepted), took_s, is_doubtful ? 1 : 0);
+              test::count_accepted(labelled, selection.accepted, LoopLabel::kRight),
+              test::count_accepted(labelled, selection.accepted, LoopLabel::kWrong),
+              rmse_m(labelled, selection), took_s, selection.is_doubtful ? 1 : 0);
   std::fflush(stdout);
 }
 

@@ -104,6 +104,30 @@ TEST_F(LazyLoopClosures, EstimateTheNoiseOfTheirMeasurements) {
   EXPECT_EQ(accepted.right, right);
 }
 
+/// With errors 1.6 times as large as stated the gates reject some right loops, until the chi-square
+/// of the map shows it.
+TEST(LazyLoopClosuresOfGeneratedGraphs, AreRightWhereTheNoiseIsLargerThanStated) {
+  for (const std::uint32_t seed : {1U, 2U, 3U}) {
+    for (const auto world : {test::GraphWorld::kGrid, test::GraphWorld::kMine}) {
+      test::LabelledGraph labelled =
+          test::generated_graph({world, 400, 400, 0.02, test::WrongLoops::kRandom, 0.2, seed});
+      for (PoseConstraint& c : labelled.graph.constraints) c.information *= 1.6 * 1.6;
+      const LazyLoopClosuresResult result = associate_loops_lazily(labelled.graph, {});
+      EXPECT_EQ(test::count_accepted(labelled, result.accepted, test::LoopLabel::kRight),
+                std::ranges::count(labelled.labels, test::LoopLabel::kRight));
+      EXPECT_EQ(test::count_accepted(labelled, result.accepted, test::LoopLabel::kWrong), 0);
+    }
+  }
+}
+
+/// A group of 20 wrong loops fits a map of large drift; all of them contradict the map without it.
+TEST(LazyLoopClosuresOfGeneratedGraphs, AreDoubtfulWithAWrongGroup) {
+  const test::LabelledGraph labelled = test::generated_graph(test::random_scenario(54));
+  const LazyLoopClosuresResult result = associate_loops_lazily(labelled.graph, {});
+  ASSERT_GT(test::count_accepted(labelled, result.accepted, test::LoopLabel::kWrong), 0);
+  EXPECT_THAT(result.doubts, testing::Not(testing::IsEmpty()));
+}
+
 /// Worlds, drifts and kinds of wrong loops beyond those on which the method was developed.
 TEST(LazyLoopClosuresOfGeneratedGraphs, AreRightForTheMostPart) {
   long right = 0;

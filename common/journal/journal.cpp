@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "common/files/mapped_file.hpp"
 
@@ -109,9 +110,16 @@ void convert(std::vector<Found>& records) {
 
 }  // namespace
 
+fs::path journal_copy(const fs::path& path) {
+  fs::path name = path.stem();
+  name += ".copy";
+  name += path.extension();
+  return path.parent_path() / name;
+}
+
 JournalHealth read_journal(const fs::path& path, const JournalReader& reader) {
   std::vector<fs::path> paths{path};
-  if (const fs::path copy = with_suffix(path, journal_copy_suffix); fs::exists(copy)) {
+  if (const fs::path copy = journal_copy(path); fs::exists(copy)) {
     paths.push_back(copy);
     if (!fs::exists(path)) paths.erase(paths.begin());
   }
@@ -120,16 +128,16 @@ JournalHealth read_journal(const fs::path& path, const JournalReader& reader) {
   return opened.contents().health;
 }
 
-Journal::Journal(const fs::path& path, const JournalReader& reader, JournalCopies copies) {
-  std::vector<fs::path> paths{path};
-  if (copies == JournalCopies::kTwo) paths.push_back(with_suffix(path, journal_copy_suffix));
+Journal::Journal(const fs::path& path, const JournalReader& reader) {
+  const std::vector<fs::path> paths{path, journal_copy(path)};
   const bool has_all =
       std::all_of(paths.begin(), paths.end(), [](auto& p) { return fs::exists(p); });
   const bool has_first = fs::exists(path);
   for (const fs::path& p : paths) files_.push_back(std::make_unique<LockedFile>(p));
   const OpenedCopies opened(paths);
   health_ = opened.contents().health;
-  if (!has_all && has_first) health_.behind = 0;  // of a journal from before there were copies
+  if (!has_first) health_.recovered += std::exchange(health_.behind, 0);  // the file was removed
+  if (!has_all) health_.behind = 0;  // the journal is from before there were copies
   opened.read(reader);
   std::vector<Found> joined = opened.contents().records;
   const auto& scans = opened.scans();
@@ -196,6 +204,10 @@ void Journal::sync() const {
 std::string journal_report(const fs::path& path, const JournalHealth& health) {
   const std::string text = text_of(health);
   return text.empty() ? "" : path.filename().string() + ": " + text;
+}
+
+std::string journal_damage(const fs::path& path, const JournalHealth& health) {
+  return health.is_damaged() ? journal_report(path, health) : "";
 }
 
 }  // namespace adit

@@ -40,14 +40,12 @@ std::optional<T> value_from_bytes(std::span<const std::uint8_t> bytes) {
 /// Called with a record that is valid only during the call.
 using JournalReader = std::function<void(const JournalRecord&)>;
 
-/// In how many files a journal is kept.
-enum class JournalCopies {
-  kOne,
-  kTwo,  ///< the second one beside it, with `journal_copy_suffix`: one damage loses nothing
-};
-inline constexpr const char* journal_copy_suffix = ".copy";
+/// The second copy of a journal, beside it: for mapping.journal it is mapping.copy.journal, so that
+/// who moves or removes all journals does not leave it behind.
+std::filesystem::path journal_copy(const std::filesystem::path& path);
 
-/// An append-only file of records that survives crashes of the process and the computer. After
+/// An append-only file of records, and a copy of it, that survives crashes of the process and the
+/// computer, and damage of either file. After
 /// `append` a record survives the process; after `sync` it survives the computer. The same records
 /// give the same bytes.
 ///
@@ -60,8 +58,7 @@ class Journal {
   /// Throws if the file is not a journal, which is left unchanged, or if another process has it
   /// open.
   explicit Journal(
-      const std::filesystem::path& path, const JournalReader& reader = [](const JournalRecord&) {},
-      JournalCopies copies = JournalCopies::kOne);
+      const std::filesystem::path& path, const JournalReader& reader = [](const JournalRecord&) {});
 
   /// Appends a record. If that fails, e.g. on a full disk, the journal is unchanged and the call
   /// may be repeated. `kind` has 1 to JournalRecord::kKindMax characters.
@@ -95,5 +92,7 @@ JournalHealth read_journal(const std::filesystem::path& path, const JournalReade
 /// What to tell a person about a journal when it is opened: its name and text_of; empty for an
 /// intact one.
 std::string journal_report(const std::filesystem::path& path, const JournalHealth& health);
+/// The same for a damaged journal only: empty where a power loss explains what is missing.
+std::string journal_damage(const std::filesystem::path& path, const JournalHealth& health);
 
 }  // namespace adit

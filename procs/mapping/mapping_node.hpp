@@ -47,7 +47,8 @@ class MappingNode {
   /// Throws std::runtime_error if the journal cannot be used.
   MappingNode(Bus& bus, const Params& params);
 
-  [[nodiscard]] Health health() const { return health_; }
+  /// Degraded if the journal cannot be written, or was damaged when it was opened.
+  [[nodiscard]] Health health() const;
   [[nodiscard]] const Mapping& map() const { return mapping_; }
 
  private:

@@ -89,8 +89,9 @@ void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& wo
 Health ScanAssemblyNode::health() const {
   using Level = Health::Level;
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
-  if (scan_assembly_.problem().empty()) return {};
-  return {Level::kDegraded, scan_assembly_.problem()};
+  if (!scan_assembly_.problem().empty()) return {Level::kDegraded, scan_assembly_.problem()};
+  if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
+  return {};
 }
 
 }  // namespace adit

@@ -138,7 +138,7 @@ TEST_F(CorruptJournals, RejectRecordsOfAnotherJournal) {
   }
   const auto size = std::filesystem::file_size(path_);
   const std::string foreign = contents(path_);
-  std::filesystem::remove(path_);
+  remove();
   (void)append(1, 7);
   overwrite(contents(path_) + foreign.substr(0, size));
   const auto [found, health] = reopened();
@@ -170,31 +170,11 @@ TEST_F(CorruptJournals, RejectFilesThatAreNotJournals) {
   }
 }
 
-class CopiedJournals : public test::JournalTest {
- protected:
-  std::pair<Records, JournalHealth> reopened_copies() const {
-    Records found;
-    const Journal journal(
-        path_,
-        [&](const JournalRecord& r) {
-          found.emplace_back(r.kind, std::vector(r.bytes.begin(), r.bytes.end()));
-        },
-        JournalCopies::kTwo);
-    return {found, journal.health()};
-  }
-
-  void write(int count) const {
-    Journal journal(
-        path_, [](const JournalRecord&) {}, JournalCopies::kTwo);
-    for (int i = 1; i <= count; ++i) journal.append(record(i).first, record(i).second);
-  }
-
-  std::filesystem::path copy_ = path_.string() + journal_copy_suffix;
-};
+class CopiedJournals : public test::JournalTest {};
 
 TEST_F(CopiedJournals, LoseNothingToAnyDamageOfOneCopy) {
   constexpr int kRecords = 8;
-  write(kRecords);
+  (void)append(1, kRecords);
   const std::string intact = contents(path_);
   ASSERT_EQ(contents(copy_), intact);
   std::mt19937 random(1);
@@ -211,7 +191,7 @@ TEST_F(CopiedJournals, LoseNothingToAnyDamageOfOneCopy) {
     if (i % 4 == 3) bytes.resize(at);
     const auto& damaged = i % 8 < 4 ? path_ : copy_;
     std::ofstream(damaged, std::ios::binary | std::ios::trunc) << bytes;
-    const auto [found, health] = reopened_copies();
+    const auto [found, health] = reopened();
     ASSERT_EQ(found, records(kRecords)) << i;
     ASSERT_FALSE(health.has_loss()) << i;
     ASSERT_EQ(text_of(health).empty(), bytes == intact) << i;
@@ -221,12 +201,12 @@ TEST_F(CopiedJournals, LoseNothingToAnyDamageOfOneCopy) {
 }
 
 TEST_F(CopiedJournals, SayWhatBothCopiesHaveLost) {
-  write(8);
+  (void)append(1, 8);
   std::string bytes = contents(path_);
   bytes[ends(8)[3] + 30] ^= 1;
   overwrite(bytes);
   std::filesystem::copy_file(path_, copy_, std::filesystem::copy_options::overwrite_existing);
-  const auto [found, health] = reopened_copies();
+  const auto [found, health] = reopened();
   EXPECT_EQ(found.size(), 7U);
   EXPECT_EQ(health.missing, 1U);
   EXPECT_NE(text_of(health).find("1 record lost"), std::string::npos) << text_of(health);
@@ -234,17 +214,18 @@ TEST_F(CopiedJournals, SayWhatBothCopiesHaveLost) {
 
 TEST_F(CopiedJournals, AreMadeOfAJournalWithoutACopy) {
   (void)append(1, 4);
-  const auto [found, health] = reopened_copies();
+  std::filesystem::remove(copy_);
+  const auto [found, health] = reopened();
   EXPECT_EQ(found, records(4));
   EXPECT_EQ(text_of(health), "");
   EXPECT_EQ(contents(copy_), contents(path_));
 }
 
 TEST_F(CopiedJournals, SurviveTheLossOfAFile) {
-  write(4);
+  (void)append(1, 4);
   std::filesystem::remove(path_);
   EXPECT_EQ(read_journal(path_, [](const JournalRecord&) {}).records, 4U);
-  const auto [found, health] = reopened_copies();
+  const auto [found, health] = reopened();
   EXPECT_EQ(found, records(4));
   EXPECT_NE(text_of(health), "");
 }
@@ -265,11 +246,10 @@ TEST_F(CopiedJournals, ConvertTheOldFormat) {
   std::string old;
   for (int i = 1; i <= 5; ++i) old += old_record(i);
   overwrite(old);
-  EXPECT_EQ(reopened_copies(), std::pair(records(5), JournalHealth{5}));
+  EXPECT_EQ(reopened(), std::pair(records(5), JournalHealth{5}));
   const std::string converted = contents(path_);
-  std::filesystem::remove(path_);
-  std::filesystem::remove(copy_);
-  write(5);
+  remove();
+  (void)append(1, 5);
   EXPECT_EQ(contents(path_), converted);
 }
 
@@ -278,7 +258,7 @@ TEST_F(CopiedJournals, CountDamageInTheOldFormat) {
   for (int i = 1; i <= 5; ++i) old += old_record(i);
   old[old_record(1).size() + 30] ^= 1;
   overwrite(old);
-  const auto [found, health] = reopened_copies();
+  const auto [found, health] = reopened();
   EXPECT_EQ(found.size(), 4U);
   EXPECT_EQ(health.missing, 1U);
 }

@@ -47,7 +47,7 @@ TEST_F(Journals, ContinueAnExistingFile) {
 TEST_F(Journals, AreReproducible) {
   (void)append(1, 20);
   const std::string first = contents(path_);
-  std::filesystem::remove(path_);
+  remove();
   for (int i = 1; i <= 20; ++i) (void)append(i, i);
   EXPECT_EQ(contents(path_), first);
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/journal/journal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -53,6 +54,7 @@ TEST_F(MapJournalOnDisk, LosesOnePartToATruncatedRecord) {
     journal.append_unfinished(local_map(0, 5));
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 1);
+  std::filesystem::remove(journal_copy(path_));
   const StoredMap stored = read_map_journal(path_);
   ASSERT_TRUE(stored.unfinished);
   EXPECT_EQ(*stored.unfinished, local_map(0, 2));

@@ -19,6 +19,14 @@
 #include "procs/volume_map/volume_journal.hpp"
 
 namespace adit::test {
+
+/// What the map says of the newest local map relative to home.
+struct NewestPose {
+  int id = 0;
+  Pose2 T_home_local;
+  double within_m = 0.0;  ///< 95 %
+};
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,13 +51,6 @@ std::string bytes_in(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
-
-/// What the map says of the newest local map relative to home.
-struct NewestPose {
-  int id = 0;
-  Pose2 T_home_local;
-  double within_m = 0.0;  ///< 95 %
-};
 
 std::optional<NewestPose> newest_pose(StoredMap stored) {
   if (stored.maps.empty()) return std::nullopt;

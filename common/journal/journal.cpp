@@ -150,7 +150,7 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
 }
 
 /// Leaves an intact file as it is, removes an incomplete record, adds those that the other copy has
-/// beyond the end; otherwise writes the file anew.
+/// beyond the end; otherwise writes the file again.
 void Journal::repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
                      const std::vector<Found>& joined) {
   const auto common = common_bytes(found, joined);

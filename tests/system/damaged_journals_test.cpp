@@ -55,12 +55,12 @@ class DamagedJournals : public testing::Test {
   inline static test::ScratchFolder* scratch_ = nullptr;
 };
 
-TEST_F(DamagedJournals, LoseNothingInSilence) {
+TEST_F(DamagedJournals, LoseNothingUnreported) {
   test::DamagedStages stages(*scratch_ / "mission", *scratch_ / "cases");
   EXPECT_GE(stages.stages().size(), 4U);
   for (unsigned seed = 0; seed < 300; ++seed) {
     const test::DamagedCase result = stages.run(seed);
-    ASSERT_NE(result.outcome, DamageOutcome::kSilentLoss)
+    ASSERT_NE(result.outcome, DamageOutcome::kUnreportedLoss)
         << seed << " " << result.stage << " " << text_of(result.damage);
     ASSERT_NE(result.outcome, DamageOutcome::kFalseHome)
         << seed << " " << result.stage << " " << text_of(result.damage);

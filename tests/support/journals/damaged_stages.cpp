@@ -161,7 +161,7 @@ DamagedCase DamagedStages::run(unsigned seed) {
   } else {
     const bool named = !map || names_all_losses(*map, *intact.map);
     result.outcome =
-        result.report.empty() || !named ? DamageOutcome::kSilentLoss : DamageOutcome::kReported;
+        result.report.empty() || !named ? DamageOutcome::kUnreportedLoss : DamageOutcome::kReported;
   }
   if (!map || same || result.outcome == DamageOutcome::kOlder) return result;
   const auto newest = newest_pose(*map);

@@ -14,12 +14,12 @@ namespace adit::test {
 
 /// What a stage makes of its damaged journal.
 enum class DamageOutcome {
-  kUnchanged,   ///< the damage changed nothing, e.g. zeros where there were zeros
-  kRight,       ///< nothing is lost
-  kReported,    ///< something is lost, and a line says what
-  kOlder,       ///< both copies end at the same record, as they did at an earlier time
-  kSilentLoss,  ///< something is lost, and no line says so
-  kFalseHome,   ///< the map claims a pose relative to home that is more than 0.5 m wrong
+  kUnchanged,       ///< the damage changed nothing, e.g. zeros where there were zeros
+  kRight,           ///< nothing is lost
+  kReported,        ///< something is lost, and a line says what
+  kOlder,           ///< both copies end at the same record, as they did at an earlier time
+  kUnreportedLoss,  ///< something is lost, and no line says so
+  kFalseHome,       ///< the map claims a pose relative to home that is more than 0.5 m wrong
 };
 
 struct DamagedCase {

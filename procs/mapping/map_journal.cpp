@@ -18,6 +18,7 @@ namespace {
 constexpr std::string_view kLocalMap = "LOCAL_MAP";
 constexpr std::string_view kPart = "LOCAL_MAP_PART";
 constexpr std::string_view kAssociation = "ASSOCIATION";
+constexpr std::string_view kEndLost = "END_LOST";  // before this record; stays known after a repair
 
 /// Assembles the stored map from records.
 class Collector {
@@ -28,12 +29,13 @@ class Collector {
     if (record.kind == kLocalMap) add_fragment(record.bytes);
     if (record.kind == kPart) add_part(record.bytes);
     if (record.kind == kAssociation) add_association(record.bytes);
+    if (record.kind == kEndLost) stored_.losses.end = true;
   }
 
   /// To be called after the last record. Where nothing is left of a map, home is lost.
   void finish(const JournalHealth& health) {
     stored_.health = health;
-    stored_.losses.end = health.end_missing;
+    stored_.losses.end |= health.end_missing;
     if (health.has_loss() && stored_.maps.empty() && !stored_.unfinished) {
       append_empty(nullptr);
       stored_.losses.end = true;
@@ -135,7 +137,10 @@ Journal open(const std::filesystem::path& path, StoredMap& stored) {
 
 MapJournal::MapJournal(const std::filesystem::path& path) : journal_(open(path, restored_)) {
   report_ = map_journal_report(path, restored_);
-  is_damaged_ = restored_.health.is_damaged();
+  is_damaged_ = restored_.health.is_damaged() || restored_.losses.has_gap();
+  if (!restored_.health.end_missing) return;
+  journal_.append(kEndLost, {});
+  journal_.sync();
 }
 
 void MapJournal::append(const MapUpdate& update) {
@@ -173,7 +178,8 @@ StoredMap read_map_journal(const std::filesystem::path& path) {
 std::string map_journal_report(const std::filesystem::path& path, const StoredMap& stored) {
   const std::string report = journal_report(path, stored.health);
   const std::string losses = text_of(stored.losses);
-  return report.empty() || losses.empty() ? report : report + ": " + losses;
+  if (losses.empty()) return report;
+  return (report.empty() ? path.filename().string() : report) + ": " + losses;
 }
 
 }  // namespace adit

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "common/sensing/seconds.hpp"
 
@@ -85,7 +86,7 @@ Mapping::Mapping(const MappingParams& params)
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   lost_ = stored.losses.local_maps;
-  if (stored.losses.end) params_.carried = true;
+  end_is_lost_ = stored.losses.end;
   for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
   update_heights();
@@ -600,6 +601,7 @@ std::optional<MapCorrection> Mapping::correction() const {
     correction.T_map_odom = at_rest_->T_map_odom;
     correction.body_covariance = at_rest_->body_covariance;
   }
+  if (end_is_lost_) correction.body_covariance = information_of_unknown_pose().inverse();
   if (localization_) {
     correction.utime = localization_->utime;
     correction.local_map = localization_->older_map;

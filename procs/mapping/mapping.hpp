@@ -94,7 +94,7 @@ class Mapping : private Evidence {
   /// session of its own, linked to the map by loop closures. If odom continues from the end of the
   /// map, or was reset without the body being moved, the first map is searched near there. Returns
   /// an update if a local map was unfinished, which is then finished. Where the map has lost its
-  /// end, the body may be anywhere.
+  /// end, the pose of the body relative to home counts as unknown from then on.
   std::optional<MapUpdate> restore(StoredMap stored);
 
   /// To be called after `restore`: searches loop closures over the gaps of a map that has lost
@@ -173,6 +173,7 @@ class Mapping : private Evidence {
   };
   Odom odom_ = Odom::kKnown;
   std::optional<std::int64_t> odom_epoch_utime_;  ///< epoch of the odom frame of the last scan
+  bool end_is_lost_ = false;     ///< of a map that was restored from a damaged journal
   std::vector<int> lost_;        ///< ids of local maps that a damaged journal has lost
   bool odom_continues_ = false;  ///< the restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection

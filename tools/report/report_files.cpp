@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>

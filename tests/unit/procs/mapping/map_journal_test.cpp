@@ -168,6 +168,9 @@ TEST_F(MapJournalOnDisk, DoesNotKnowWhatFollowedTheLastLocalMap) {
   const StoredMap stored = read_map_journal(path_);
   EXPECT_EQ(stored.maps.size(), 2U);
   EXPECT_TRUE(stored.losses.end);
+  MapJournal(path_).append({map_at(2), {}});
+  EXPECT_TRUE(read_map_journal(path_).losses.end) << "known in later sessions too";
+  EXPECT_TRUE(MapJournal(path_).is_damaged());
 }
 
 TEST_F(MapJournalOnDisk, HasAnEmptyLocalMapForHomeIfNothingIsLeft) {

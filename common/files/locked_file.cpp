@@ -3,6 +3,7 @@
 #include "common/files/locked_file.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
@@ -74,6 +75,12 @@ void LockedFile::sync_folder() const {
   const int error = errno;
   close(folder);
   if (result != 0) fail("cannot sync its folder", error);
+}
+
+void LockedFile::rename(const std::filesystem::path& path) {
+  if (::rename(path_.c_str(), path.c_str()) != 0) fail("cannot rename", errno);
+  path_ = path;
+  sync_folder();
 }
 
 void LockedFile::fail(const std::string& what, int error) const {

@@ -30,6 +30,9 @@ class LockedFile {
   void sync() const;
   /// Returns when the directory entry of the file is on the disk.
   void sync_folder() const;
+  /// Gives the file another path in the same folder, in place of the file that is there. Returns
+  /// when that is on the disk.
+  void rename(const std::filesystem::path& path);
 
  private:
   [[noreturn]] void fail(const std::string& what, int error) const;

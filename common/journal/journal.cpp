@@ -3,12 +3,21 @@
 #include "common/journal/journal.hpp"
 
 #include <stdexcept>
-#include <vector>
+#include <system_error>
+#include <utility>
 
 #include "common/files/mapped_file.hpp"
 
 namespace adit {
 namespace {
+
+namespace fs = std::filesystem;
+using Found = JournalScan::Found;
+
+constexpr const char* kDamagedSuffix = ".damaged";
+constexpr const char* kNewSuffix = ".new";
+
+fs::path with_suffix(fs::path path, const char* suffix) { return path += suffix; }
 
 /// Removes a partially written record. If that fails too, the next record overwrites it, and any
 /// remaining bytes are skipped when the journal is read.
@@ -19,40 +28,186 @@ void discard_partial_record(const LockedFile& file, std::uint64_t end) {
   }
 }
 
-}  // namespace
-
-JournalHealth read_journal(const std::filesystem::path& path, const JournalReader& reader) {
-  const MappedFile file(path);
-  JournalParser parser(file.bytes());
-  while (const auto record = parser.next()) reader(*record);
-  if (parser.health().records == 0 && !may_be_journal(file.bytes())) {
-    throw std::runtime_error(path.string() + ": not a journal");
+/// The records of all copies, and the bytes to which they refer.
+class OpenedCopies {
+ public:
+  /// The file at the first path must exist.
+  explicit OpenedCopies(const std::vector<fs::path>& paths) {
+    for (const fs::path& path : paths) {
+      files_.push_back(std::make_unique<MappedFile>(path));
+      scans_.push_back(scan_journal(files_.back()->bytes()));
+    }
+    contents_ = join_copies(scans_);
+    if (contents_.records.empty() && !may_be_journal(files_.front()->bytes())) {
+      throw std::runtime_error(paths.front().string() + ": not a journal");
+    }
   }
-  return parser.health();
+
+  void read(const JournalReader& reader) const {
+    for (const Found& found : contents_.records) reader(found.record);
+  }
+
+  [[nodiscard]] const std::vector<JournalScan>& scans() const { return scans_; }
+  [[nodiscard]] const JournalContents& contents() const { return contents_; }
+
+ private:
+  std::vector<std::unique_ptr<MappedFile>> files_;
+  std::vector<JournalScan> scans_;
+  JournalContents contents_;
+};
+
+/// The number of bytes at the beginning of a file that are the first of the joined records; nothing
+/// if the file holds anything else but an incomplete record.
+std::optional<std::size_t> common_bytes(const JournalScan& scan, const std::vector<Found>& joined) {
+  if (!scan.corrupt.empty() || scan.has_old_records) return std::nullopt;
+  if (scan.records.size() > joined.size()) return std::nullopt;
+  for (std::size_t i = 0; i < scan.records.size(); ++i) {
+    const Found& record = scan.records[i];
+    if (record.sequence() != joined[i].sequence() || record.checksum != joined[i].checksum)
+      return std::nullopt;
+  }
+  return scan.bytes - scan.truncated_bytes;
 }
 
-Journal::Journal(const std::filesystem::path& path, const JournalReader& reader)
-    : file_(path),
-      health_(read_journal(path, reader)),
-      end_(file_.size() - health_.truncated_bytes) {
-  if (health_.truncated_bytes > 0) file_.truncate(end_);
-  if (end_ == 0) file_.sync_folder();
+/// Encodes records one after the other.
+class Writer {
+ public:
+  explicit Writer(std::uint64_t offset) : offset_(offset) {}
+
+  /// Returns the end of the records.
+  std::uint64_t write(std::span<const Found> records, const LockedFile& file) {
+    for (const Found& found : records) {
+      const auto bytes = journal_format::write(found.record, *found.place);
+      file.write_at(offset_, bytes);
+      offset_ += bytes.size();
+    }
+    return offset_;
+  }
+
+ private:
+  std::uint64_t offset_;
+};
+
+std::uint64_t encoded_bytes(const std::vector<Found>& records) {
+  std::uint64_t bytes = 0;
+  for (const Found& found : records) {
+    bytes += journal_format::kHeaderBytes + found.record.kind.size() + found.record.bytes.size();
+  }
+  return bytes;
+}
+
+/// Records of the old format get the place by which the new format names them.
+void convert(std::vector<Found>& records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    journal_format::Place place = *records[i].place;
+    const bool follows = i > 0 && records[i - 1].sequence() + 1 == place.sequence;
+    if (follows) place.previous = records[i - 1].checksum;
+    const auto bytes = journal_format::write(records[i].record, place);
+    records[i].place = place;
+    records[i].checksum = journal_format::checksum_of(bytes);
+  }
+}
+
+}  // namespace
+
+fs::path journal_copy(const fs::path& path) {
+  fs::path name = path.stem();
+  name += ".copy";
+  name += path.extension();
+  return path.parent_path() / name;
+}
+
+JournalHealth read_journal(const fs::path& path, const JournalReader& reader) {
+  std::vector<fs::path> paths{path};
+  if (const fs::path copy = journal_copy(path); fs::exists(copy)) {
+    paths.push_back(copy);
+    if (!fs::exists(path)) paths.erase(paths.begin());
+  }
+  const OpenedCopies opened(paths);
+  opened.read(reader);
+  return opened.contents().health;
+}
+
+Journal::Journal(const fs::path& path, const JournalReader& reader) {
+  const std::vector<fs::path> paths{path, journal_copy(path)};
+  const bool has_all =
+      std::all_of(paths.begin(), paths.end(), [](auto& p) { return fs::exists(p); });
+  const bool has_first = fs::exists(path);
+  for (const fs::path& p : paths) files_.push_back(std::make_unique<LockedFile>(p));
+  const OpenedCopies opened(paths);
+  health_ = opened.contents().health;
+  if (!has_first) health_.recovered += std::exchange(health_.behind, 0);  // the file was removed
+  if (!has_all) health_.behind = 0;  // the journal is from before there were copies
+  opened.read(reader);
+  std::vector<Found> joined = opened.contents().records;
+  const auto& scans = opened.scans();
+  if (std::any_of(scans.begin(), scans.end(), [](auto& scan) { return scan.has_old_records; }))
+    convert(joined);
+  if (!joined.empty()) next_ = {joined.back().sequence() + 1, joined.back().checksum};
+  end_ = encoded_bytes(joined);
+  for (std::size_t i = 0; i < files_.size(); ++i) repair(files_[i], scans[i], joined);
+  if (end_ == 0) files_.front()->sync_folder();
+}
+
+/// Leaves an intact file as it is, removes an incomplete record, adds those that the other copy has
+/// beyond the end; otherwise writes the file again.
+void Journal::repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
+                     const std::vector<Found>& joined) {
+  const auto common = common_bytes(found, joined);
+  if (!common) return replace(file, joined, !found.corrupt.empty());
+  if (*common < found.bytes) file->truncate(*common);
+  if (found.records.size() == joined.size()) return;
+  Writer(*common).write(std::span(joined).subspan(found.records.size()), *file);
+  file->sync();
+  file->sync_folder();
+}
+
+/// The new file takes the place of the damaged one in one step, so that a crash loses neither.
+void Journal::replace(std::unique_ptr<LockedFile>& file, const std::vector<Found>& joined,
+                      bool keep) {
+  const fs::path path = file->path();
+  auto written = std::make_unique<LockedFile>(with_suffix(path, kNewSuffix));
+  written->truncate(0);
+  Writer(0).write(joined, *written);
+  written->sync();
+  if (keep) {
+    std::error_code ignored;  // a file system without links keeps no damaged file
+    fs::remove(with_suffix(path, kDamagedSuffix), ignored);
+    fs::create_hard_link(path, with_suffix(path, kDamagedSuffix), ignored);
+  }
+  written->rename(path);
+  file = std::move(written);
 }
 
 void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes) {
-  const std::vector<std::uint8_t> record = journal_format::write({kind, bytes});
+  const std::vector<std::uint8_t> record = journal_format::write({kind, bytes}, next_);
   try {
-    file_.write_at(end_, record);
+    for (const auto& file : files_) file->write_at(end_, record);
   } catch (const std::runtime_error&) {
-    discard_partial_record(file_, end_);
+    for (const auto& file : files_) discard_partial_record(*file, end_);
     throw;
   }
   end_ += record.size();
+  next_ = {next_.sequence + 1, journal_format::checksum_of(record)};
 }
 
 void Journal::clear() {
-  file_.truncate(0);
+  for (const auto& file : files_) file->truncate(0);
   end_ = 0;
+  next_ = {};
+}
+
+void Journal::sync() const {
+  for (const auto& file : files_) file->sync();
+}
+
+std::string journal_report(const fs::path& path, const JournalHealth& health) {
+  const std::string text = text_of(health);
+  return text.empty() ? "" : path.filename().string() + ": " + text;
+}
+
+std::string journal_damage(const fs::path& path, const JournalHealth& health) {
+  return health.is_damaged() ? journal_report(path, health) : "";
 }
 
 }  // namespace adit

@@ -8,12 +8,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "common/files/locked_file.hpp"
 #include "common/journal/journal_format.hpp"
+#include "common/journal/journal_recovery.hpp"
 
 namespace adit {
 
@@ -36,7 +40,12 @@ std::optional<T> value_from_bytes(std::span<const std::uint8_t> bytes) {
 /// Called with a record that is valid only during the call.
 using JournalReader = std::function<void(const JournalRecord&)>;
 
-/// An append-only file of records that survives crashes of the process and the computer. After
+/// The second copy of a journal, beside it: for mapping.journal it is mapping.copy.journal, so that
+/// who moves or removes all journals does not leave it behind.
+std::filesystem::path journal_copy(const std::filesystem::path& path);
+
+/// An append-only file of records, and a copy of it, that survives crashes of the process and the
+/// computer, and damage of either file. After
 /// `append` a record survives the process; after `sync` it survives the computer. The same records
 /// give the same bytes.
 ///
@@ -44,8 +53,10 @@ using JournalReader = std::function<void(const JournalRecord&)>;
 class Journal {
  public:
   /// Opens or creates the journal and passes its records, in order, to the reader. A truncated last
-  /// record is removed. Damaged records elsewhere are skipped and stay in the file. Throws if the
-  /// file is not a journal, which is left unchanged, or if another process has it open.
+  /// record is removed. A file with other damage is replaced by one with all records of both
+  /// copies, and kept as FILE.damaged; so is a file of the format before, which is converted.
+  /// Throws if the file is not a journal, which is left unchanged, or if another process has it
+  /// open.
   explicit Journal(
       const std::filesystem::path& path, const JournalReader& reader = [](const JournalRecord&) {});
 
@@ -57,19 +68,31 @@ class Journal {
   void clear();
 
   /// Returns when all records are on the disk.
-  void sync() const { file_.sync(); }
+  void sync() const;
 
-  /// Integrity of the file when it was opened.
+  /// Integrity of the files when they were opened.
   [[nodiscard]] const JournalHealth& health() const { return health_; }
 
  private:
-  LockedFile file_;
+  void repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
+              const std::vector<JournalScan::Found>& joined);
+  void replace(std::unique_ptr<LockedFile>& file, const std::vector<JournalScan::Found>& joined,
+               bool keep);
+
+  std::vector<std::unique_ptr<LockedFile>> files_;  // the same bytes in each
   JournalHealth health_;
-  std::uint64_t end_ = 0;  // offset of the next record
+  journal_format::Place next_;  // of the next record
+  std::uint64_t end_ = 0;       // its offset
 };
 
-/// Passes the records of a journal, which may be in use, to the reader without changing the file.
-/// Throws like the constructor of Journal, and if the file does not exist.
+/// Passes the records of a journal and its copy, which may be in use, to the reader without
+/// changing the files. Throws like the constructor of Journal, and if the file does not exist.
 JournalHealth read_journal(const std::filesystem::path& path, const JournalReader& reader);
+
+/// What to tell a person about a journal when it is opened: its name and text_of; empty for an
+/// intact one.
+std::string journal_report(const std::filesystem::path& path, const JournalHealth& health);
+/// The same for a damaged journal only: empty where a power loss explains what is missing.
+std::string journal_damage(const std::filesystem::path& path, const JournalHealth& health);
 
 }  // namespace adit

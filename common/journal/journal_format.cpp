@@ -13,11 +13,13 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-// Offsets in the header.
+// Offsets in the header. The place is in the new format only.
 constexpr std::size_t kKindLength = 4;
 constexpr std::size_t kDataLength = 8;
 constexpr std::size_t kBodyCrc = 12;
-constexpr std::size_t kHeaderCrc = 16;
+constexpr std::size_t kSequence = 16;
+constexpr std::size_t kPrevious = 20;
+constexpr std::size_t kCrcBytes = 4;  // of the header, at its end
 
 void put(std::size_t value, std::size_t at, std::vector<std::uint8_t>& bytes) {
   for (std::size_t i = 0; i < 4; ++i) {
@@ -44,9 +46,16 @@ bool is_valid_length(std::size_t kind_length, std::size_t data_length) {
          data_length <= JournalRecord::kBytesMax;
 }
 
+/// Bytes of the header that begins here, by its magic; 0 for other bytes.
+std::size_t header_bytes(Bytes bytes) {
+  const std::string_view text = text_of(bytes);
+  if (text.starts_with(kMagic)) return kHeaderBytes;
+  return text.starts_with(kMagicOld) ? kHeaderBytesOld : 0;
+}
+
 }  // namespace
 
-std::vector<std::uint8_t> write(const JournalRecord& record) {
+std::vector<std::uint8_t> write(const JournalRecord& record, const Place& place) {
   if (!is_valid_length(record.kind.size(), record.bytes.size())) {
     throw std::length_error("a record of kind '" + std::string(record.kind.substr(0, 80)) +
                             "' exceeds the size limits of a journal");
@@ -59,26 +68,41 @@ std::vector<std::uint8_t> write(const JournalRecord& record) {
   put(record.kind.size(), kKindLength, bytes);
   put(record.bytes.size(), kDataLength, bytes);
   put(crc_of(Bytes(bytes).subspan(kHeaderBytes)), kBodyCrc, bytes);
+  put(place.sequence, kSequence, bytes);
+  put(place.previous, kPrevious, bytes);
+  constexpr std::size_t kHeaderCrc = kHeaderBytes - kCrcBytes;
   put(crc_of(Bytes(bytes).first(kHeaderCrc)), kHeaderCrc, bytes);
   return bytes;
 }
 
+std::uint32_t checksum_of(std::span<const std::uint8_t> encoded) {
+  return number(encoded, header_bytes(encoded) - kCrcBytes);
+}
+
 std::optional<std::size_t> size(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeaderBytes || !text_of(bytes).starts_with(kMagic)) return std::nullopt;
-  if (crc_of(bytes.first(kHeaderCrc)) != number(bytes, kHeaderCrc)) return std::nullopt;
+  const std::size_t header = header_bytes(bytes);
+  if (header == 0 || bytes.size() < header) return std::nullopt;
+  const std::size_t checked = header - kCrcBytes;
+  if (crc_of(bytes.first(checked)) != number(bytes, checked)) return std::nullopt;
   const std::size_t kind_length = number(bytes, kKindLength);
   const std::size_t data_length = number(bytes, kDataLength);
   if (!is_valid_length(kind_length, data_length)) return std::nullopt;
-  return kHeaderBytes + kind_length + data_length;
+  return header + kind_length + data_length;
 }
 
-std::optional<JournalRecord> read(std::span<const std::uint8_t> bytes) {
+std::optional<StoredRecord> read(std::span<const std::uint8_t> bytes) {
   const std::optional<std::size_t> length = size(bytes);
   if (!length || *length > bytes.size()) return std::nullopt;
-  const Bytes body = bytes.first(*length).subspan(kHeaderBytes);
+  const std::size_t header = header_bytes(bytes);
+  const Bytes body = bytes.first(*length).subspan(header);
   if (crc_of(body) != number(bytes, kBodyCrc)) return std::nullopt;
   const std::size_t kind_length = number(bytes, kKindLength);
-  return JournalRecord{text_of(body.first(kind_length)), body.subspan(kind_length)};
+  StoredRecord stored{{text_of(body.first(kind_length)), body.subspan(kind_length)},
+                      std::nullopt,
+                      checksum_of(bytes),
+                      *length};
+  if (header == kHeaderBytes) stored.place = {number(bytes, kSequence), number(bytes, kPrevious)};
+  return stored;
 }
 
 }  // namespace adit::journal_format
@@ -89,59 +113,80 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 using journal_format::kHeaderBytes;
 using journal_format::kMagic;
+using journal_format::kMagicOld;
 
-/// True if the bytes begin with the magic, as far as they go.
-bool starts_like_record(Bytes bytes) {
-  const std::size_t length = std::min(bytes.size(), kMagic.size());
+constexpr std::string_view kMagicStart = kMagic.substr(0, 3);  // that of both formats
+static_assert(kMagicOld.starts_with(kMagicStart));
+
+bool is_start_of(Bytes bytes, std::string_view magic) {
+  const std::size_t length = std::min(bytes.size(), magic.size());
   return std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length),
-                    kMagic.begin());
+                    magic.begin());
+}
+
+/// True if the bytes begin with a magic, as far as they go.
+bool starts_like_record(Bytes bytes) {
+  return is_start_of(bytes, kMagic) || is_start_of(bytes, kMagicOld);
 }
 
 /// True if the bytes are a record without its end.
 bool is_truncated(Bytes bytes) {
-  if (bytes.size() < kHeaderBytes) return starts_like_record(bytes);
+  const std::size_t header =
+      is_start_of(bytes, kMagic) ? kHeaderBytes : journal_format::kHeaderBytesOld;
+  if (bytes.size() < header) return starts_like_record(bytes);
   return journal_format::size(bytes).value_or(0) > bytes.size();
 }
 
-}  // namespace
-
-std::optional<JournalRecord> JournalParser::next() {
-  if (position_ == bytes_.size()) return std::nullopt;
-  const std::size_t start = find_record(position_);
-  if (start == bytes_.size()) {
-    skip_tail();
-    return std::nullopt;
-  }
-  if (start > position_) {
-    ++health_.corrupt_regions;
-    health_.corrupt_bytes += start - position_;
-  }
-  ++health_.records;
-  const Bytes rest = bytes_.subspan(start);
-  position_ = start + journal_format::size(rest).value_or(0);
-  return journal_format::read(rest);
-}
-
-/// Offset of the first intact record; the end if there is none.
-std::size_t JournalParser::find_record(std::size_t from) const {
-  auto at = bytes_.begin() + static_cast<std::ptrdiff_t>(from);
+/// The first intact record from an offset on; nothing if there is none.
+std::optional<JournalScan::Found> find_record(Bytes bytes, std::size_t from) {
+  auto at = bytes.begin() + static_cast<std::ptrdiff_t>(from);
   while (true) {
-    at = std::search(at, bytes_.end(), kMagic.begin(), kMagic.end());
-    const auto start = static_cast<std::size_t>(at - bytes_.begin());
-    if (at == bytes_.end() || journal_format::read(bytes_.subspan(start))) return start;
+    at = std::search(at, bytes.end(), kMagicStart.begin(), kMagicStart.end());
+    if (at == bytes.end()) return std::nullopt;
+    const auto offset = static_cast<std::size_t>(at - bytes.begin());
+    if (const auto stored = journal_format::read(bytes.subspan(offset))) {
+      return JournalScan::Found{*stored, offset};
+    }
     ++at;
   }
 }
 
-void JournalParser::skip_tail() {
-  const Bytes tail = bytes_.subspan(position_);
-  position_ = bytes_.size();
-  if (is_truncated(tail)) {
-    health_.truncated_bytes = tail.size();
-  } else {
-    ++health_.corrupt_regions;
-    health_.corrupt_bytes += tail.size();
+/// The place of a record of the old format, by its position in the file.
+journal_format::Place place_after(const std::vector<JournalScan::Found>& records, bool after_gap) {
+  const std::uint32_t skipped = after_gap ? 1 : 0;
+  if (records.empty()) return {skipped, 0};
+  return {records.back().sequence() + 1 + skipped, records.back().checksum};
+}
+
+}  // namespace
+
+bool JournalScan::end_is_corrupt() const {
+  if (corrupt.empty()) return false;
+  return records.empty() || corrupt.back().offset > records.back().offset;
+}
+
+JournalScan scan_journal(std::span<const std::uint8_t> bytes) {
+  JournalScan scan;
+  scan.bytes = bytes.size();
+  std::size_t position = 0;
+  while (position < bytes.size()) {
+    auto found = find_record(bytes, position);
+    const std::size_t start = found ? found->offset : bytes.size();
+    if (!found && is_truncated(bytes.subspan(position))) {
+      scan.truncated_bytes = bytes.size() - position;
+      break;
+    }
+    const bool after_gap = start > position;
+    if (after_gap) scan.corrupt.push_back({position, start - position});
+    if (!found) break;
+    position = start + found->size;
+    if (!found->place) {
+      scan.has_old_records = true;
+      found->place = place_after(scan.records, after_gap);
+    }
+    scan.records.push_back(*found);
   }
+  return scan;
 }
 
 bool may_be_journal(std::span<const std::uint8_t> bytes) {

@@ -35,6 +35,9 @@ class ExplorationJournal {
   /// The stored state at the time of opening.
   [[nodiscard]] const StoredExploration& restored() const { return restored_; }
 
+  /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
+  [[nodiscard]] const std::string& damage() const { return damage_; }
+
   /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
   /// What 3D scans observed is not stored again.
   void store(const StoredExploration& stored);
@@ -57,6 +60,7 @@ class ExplorationJournal {
   StoredExploration restored_;
   Written written_;
   Journal journal_;
+  std::string damage_;
 };
 
 }  // namespace adit

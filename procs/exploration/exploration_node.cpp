@@ -82,7 +82,8 @@ void ExplorationNode::on_local_map(const LocalMap& map) {
   const auto received = local_maps_received_.find(map.id);
   if (received != local_maps_received_.end() && received->second == map.end_utime) return;
   if (map.id == 0) reset_if_other_map(map);
-  if (!exploration_.add(map)) ++local_maps_rejected_;
+  // An empty one takes the place of a lost one.
+  if (!map.scans.empty() && !exploration_.add(map)) ++local_maps_rejected_;
   local_maps_received_[map.id] = map.end_utime;
   if (!has_map_) apply_graph();
 }
@@ -276,6 +277,7 @@ Health ExplorationNode::health() const {
   if (distance_at_publish_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
     return {Level::kDegraded, decision_.reason};
   }
+  if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,8 +27,16 @@ class MapJournal {
   /// The content at the time of opening. May be called once.
   StoredMap take_restored() { return std::move(restored_); }
 
+  /// What to tell a person about the journal as it was opened, in one line; empty if it is intact.
+  [[nodiscard]] const std::string& report() const { return report_; }
+  /// Whether it was damaged, other than by a power loss.
+  [[nodiscard]] bool is_damaged() const { return is_damaged_; }
+
   /// Appends a local map and its decisions. Returns when they are on disk.
   void append(const MapUpdate& update);
+
+  /// Appends decisions on stored local maps.
+  void append(const std::vector<Association>& associations);
 
   /// Appends the new scans of the unfinished local map, in order of time. Returns when they are on
   /// disk.
@@ -43,12 +52,18 @@ class MapJournal {
   };
 
   StoredMap restored_;
+  std::string report_;
+  bool is_damaged_ = false;
   Parts parts_;
   Journal journal_;
 };
 
-/// Reads a journal that may be in use. Local maps after a lost or damaged one are discarded, with
-/// the decisions on them: the chain must not have a gap.
+/// Reads a journal that may be in use. A local map that is lost is replaced by an empty one, or by
+/// its parts, so that the others keep their ids.
 StoredMap read_map_journal(const std::filesystem::path& path);
+
+/// What to tell a person about what was read: damage of the file and its copy, and which local maps
+/// are lost, in one line; empty for an intact journal.
+std::string map_journal_report(const std::filesystem::path& path, const StoredMap& stored);
 
 }  // namespace adit

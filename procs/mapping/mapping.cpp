@@ -9,21 +9,18 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
 
-// Standard deviations of the link between sessions.
-constexpr double kUnknownPoseM = 1000.0;
-constexpr double kGapM = 1.0;
-constexpr double kGapShare = 0.1;
-constexpr double kGapRad = 0.2;
 // Half-width of the search around each older map for a body that may be anywhere: local maps follow
 // each other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
+constexpr int kMapsAfterGap = 3;  // that are searched before it
 // Minimum log-likelihood of a place if the pose is otherwise unknown: wrong places reach about 8,
 // the correct one mostly has 20 and more.
 constexpr double kRelocalisedLogLikelihood = 15.0;
@@ -88,6 +85,8 @@ Mapping::Mapping(const MappingParams& params)
       contradictions_(params.matching, kContradiction) {}
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
+  lost_ = stored.losses.local_maps;
+  end_is_lost_ = stored.losses.end;
   for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
   update_heights();
@@ -341,17 +340,59 @@ void Mapping::update_contradictions() {
 /// path are missing at most; if it was reset, the body is where it was, or was carried anywhere.
 void Mapping::link_session(LocalMap& map) const {
   const LocalMap& last = maps_.back();
-  const Pose2 T_last_end = last.scans.back().T_local_body;
-  Eigen::Vector3d sd(kUnknownPoseM, kUnknownPoseM, std::numbers::pi);
+  const Pose2 T_last_end = last.scans.empty() ? Pose2{} : last.scans.back().T_local_body;
   map.T_previous_local = T_last_end;
+  map.information = information_of_unknown_pose();
   if (odom_continues_) {
     map.T_previous_local = between(last.T_odom_local, map.T_odom_local);
     const double unseen_m = between(T_last_end, map.T_previous_local).translation().norm();
-    sd = {kGapM + kGapShare * unseen_m, kGapM + kGapShare * unseen_m, kGapRad};
+    map.information = information_across_gap(unseen_m);
   } else if (!params_.carried) {
-    sd = {params_.restart_sd_m, params_.restart_sd_m, params_.restart_sd_rad};
+    const Eigen::Vector3d sd(params_.restart_sd_m, params_.restart_sd_m, params_.restart_sd_rad);
+    map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
   }
-  map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
+}
+
+std::vector<Association> Mapping::reconnect() {
+  std::vector<Association> decided;
+  for (const int lost : lost_) {
+    const int after = lost + 1;
+    const bool ends_gap = std::ranges::find(lost_, after) == lost_.end();
+    if (lost == 0 || !ends_gap || is_bridged(after)) continue;
+    for (int map = after; map < after + kMapsAfterGap && map < std::ssize(maps_); ++map) {
+      if (maps_[static_cast<std::size_t>(map)].scans.empty()) break;
+      const auto found =
+          association_.decide(loop_closures_over_gap(map, after), maps_.back().end_utime);
+      decided.insert(decided.end(), found.begin(), found.end());
+    }
+  }
+  if (decided.empty()) return decided;
+  ++revision_;
+  update_heights();
+  covariance_ = covariance_in_older_sessions();
+  update_covariance_from_first();
+  update_contradictions();
+  return decided;
+}
+
+/// Whether a loop closure in force leads over the gap before this local map.
+bool Mapping::is_bridged(int first_after_gap) const {
+  const auto in_force = constraints_in_force(association_.problem(), association_.hypothesis());
+  return std::ranges::any_of(in_force, [&](const PoseConstraint& c) {
+    return c.from < first_after_gap && c.to >= first_after_gap;
+  });
+}
+
+/// With local maps before the gap only; those next to it are no neighbours in the chain.
+std::vector<LoopClosure> Mapping::loop_closures_over_gap(int map, int first_after_gap) {
+  Trial& trial = association_.trial();
+  std::vector<Pose2> poses = trial.hypothesis().T_map_local;
+  poses.resize(static_cast<std::size_t>(map) + 1);
+  LoopClosureCandidatesParams params = params_.candidates;
+  params.neighbours = map - first_after_gap;
+  return matches_of(
+      loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), params), map,
+      poses);
 }
 
 bool Mapping::session_is_connected() const {
@@ -412,10 +453,19 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
     params.most += params_.candidates.neighbours;
   }
   const auto candidates_of = thorough ? thorough_candidates : loop_closure_candidates;
+  std::vector<LoopClosureCandidate> candidates =
+      candidates_of(poses, trial.covariances_to(map), up_to(map, extents_), params);
+  std::erase_if(candidates, [&](const LoopClosureCandidate& candidate) {
+    return loosely_linked && is_neighbour(candidate.older, map);
+  });
+  return matches_of(candidates, map, poses);
+}
+
+/// The loop closures of a local map with these candidates, the most likely first.
+std::vector<LoopClosure> Mapping::matches_of(const std::vector<LoopClosureCandidate>& candidates,
+                                             int map, const std::vector<Pose2>& poses) const {
   std::vector<LoopClosure> found;
-  for (const LoopClosureCandidate& candidate :
-       candidates_of(poses, trial.covariances_to(map), up_to(map, extents_), params)) {
-    if (loosely_linked && is_neighbour(candidate.older, map)) continue;
+  for (const LoopClosureCandidate& candidate : candidates) {
     LoopClosure loop_closure;
     loop_closure.newer_map = map;
     loop_closure.alternatives =
@@ -556,6 +606,7 @@ std::optional<MapCorrection> Mapping::correction() const {
     correction.T_map_odom = at_rest_->T_map_odom;
     correction.body_covariance = at_rest_->body_covariance;
   }
+  if (end_is_lost_) correction.body_covariance = information_of_unknown_pose().inverse();
   if (localization_) {
     correction.utime = localization_->utime;
     correction.local_map = localization_->older_map;

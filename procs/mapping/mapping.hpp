@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/journal/journal_recovery.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_mount.hpp"
@@ -23,6 +24,7 @@
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
+#include "procs/mapping/map_gaps.hpp"
 #include "procs/mapping/map_heights.hpp"
 
 namespace adit {
@@ -65,6 +67,8 @@ struct StoredMap {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
   std::optional<LocalMap> unfinished;  ///< the unfinished local map, as far as it is stored
+  MapLosses losses = {};               ///< by damage of the file
+  JournalHealth health = {};           ///< of the file
 };
 
 /// The result of a new local map.
@@ -89,8 +93,13 @@ class Mapping : private Evidence {
   /// Continues a stored map; to be called before anything is added. What is added afterwards is a
   /// session of its own, linked to the map by loop closures. If odom continues from the end of the
   /// map, or was reset without the body being moved, the first map is searched near there. Returns
-  /// an update if a local map was unfinished, which is then finished.
+  /// an update if a local map was unfinished, which is then finished. Where the map has lost its
+  /// end, the pose of the body relative to home counts as unknown from then on.
   std::optional<MapUpdate> restore(StoredMap stored);
+
+  /// To be called after `restore`: searches loop closures over the gaps of a map that has lost
+  /// local maps, as between two sessions. Returns the decisions, in order.
+  std::vector<Association> reconnect();
 
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { builder_.add(reading); }
@@ -134,9 +143,14 @@ class Mapping : private Evidence {
   void update_covariance_from_first();
   [[nodiscard]] Eigen::Matrix3d body_covariance() const;
   [[nodiscard]] bool session_is_connected() const;
+  [[nodiscard]] bool is_bridged(int first_after_gap) const;
+  [[nodiscard]] std::vector<LoopClosure> loop_closures_over_gap(int map, int first_after_gap);
   [[nodiscard]] bool is_neighbour(int older, int newer) const;
   [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial,
                                                        bool thorough) const override;
+  [[nodiscard]] std::vector<LoopClosure> matches_of(
+      const std::vector<LoopClosureCandidate>& candidates, int map,
+      const std::vector<Pose2>& poses) const;
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<std::array<int, 2>> known_contradictions(int last) const;
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
@@ -162,6 +176,8 @@ class Mapping : private Evidence {
   };
   Odom odom_ = Odom::kKnown;
   std::optional<std::int64_t> odom_epoch_utime_;  ///< epoch of the odom frame of the last scan
+  bool end_is_lost_ = false;     ///< of a map that was restored from a damaged journal
+  std::vector<int> lost_;        ///< ids of local maps that a damaged journal has lost
   bool odom_continues_ = false;  ///< the restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
   /// Of the newest local map relative to local map 0, in the frame of the newest.

@@ -61,6 +61,8 @@ void MappingNode::restore(const std::string& journal) {
   journal_.emplace(journal);
   restored_ = mapping_.restore(journal_->take_restored());
   if (restored_) write_journal([&] { journal_->append(*restored_); });
+  const std::vector<Association> reconnected = mapping_.reconnect();
+  if (!reconnected.empty()) write_journal([&] { journal_->append(reconnected); });
   graph_pending_ = true;
 }
 
@@ -114,6 +116,12 @@ void MappingNode::journal_unfinished() {
   start_pending_ = false;
   T_local_journaled_ = T_local_body;
   write_journal([&] { journal_->append_unfinished(map); });
+}
+
+/// A map that the journal has lost parts of is doubtful as long as the stage runs.
+Health MappingNode::health() const {
+  if (!health_.reason.empty() || !journal_ || !journal_->is_damaged()) return health_;
+  return {Health::Level::kDegraded, journal_->report()};
 }
 
 void MappingNode::write_journal(const std::function<void()>& append) {

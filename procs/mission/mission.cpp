@@ -72,8 +72,9 @@ std::optional<Pose2> pose_along(const std::vector<Eigen::Vector2d>& route_odom, 
 }  // namespace
 
 void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
-                      std::vector<StoredPathPose> path) {
-  localization_.restore(last.utime, last.distance_travelled_m, std::move(path));
+                      std::vector<StoredPathPose> path, KnownMap known_map) {
+  localization_.restore(last.utime, last.distance_travelled_m, std::move(path),
+                        std::move(known_map));
   limits_.begin(last.distance_travelled_m);
   rolled_.invalidate();
   clock_.restore(start_utime);

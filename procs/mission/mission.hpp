@@ -73,9 +73,9 @@ class Mission {
         home_arrival_(params.home_tolerance_m, params.home_retries) {}
 
   /// Continues a mission after a restart of its process. `start_utime`: when the mission began [µs
-  /// since the epoch]; `path`: all stored poses, oldest first.
+  /// since the epoch]; `path`: all stored poses, oldest first; `known_map`: see known_map().
   void restore(const MissionPhase& last, std::int64_t start_utime,
-               std::vector<StoredPathPose> path = {});
+               std::vector<StoredPathPose> path = {}, KnownMap known_map = {});
 
   /// Returns the pose if it must be stored.
   std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body,
@@ -95,6 +95,12 @@ class Mission {
   MissionRequests advance(std::int64_t utime);
 
   [[nodiscard]] const MissionPhase& phase() const { return phase_; }
+  /// What to store of the map, to recognise after a restart that it has lost its end.
+  [[nodiscard]] const KnownMap& known_map() const { return localization_.known_map(); }
+  /// Why the robot does not know where home is; empty if it does.
+  [[nodiscard]] const std::optional<std::string>& home_unknown() const {
+    return known_map().home_unknown;
+  }
 
  private:
   /// The latest messages that later decisions need.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mission/mission_localization.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/sensing/seconds.hpp"
 
@@ -16,7 +19,8 @@ constexpr double kSds95 = 2.448;  // of a Gaussian in the plane: sqrt(-2 ln 0.05
 }  // namespace
 
 void MissionLocalization::restore(std::int64_t last_utime, double distance_travelled_m,
-                                  std::vector<StoredPathPose> path) {
+                                  std::vector<StoredPathPose> path, KnownMap known_map) {
+  known_map_ = std::move(known_map);
   restored_utime_ = last_utime;
   restored_path_ = std::move(path);
   traversed_path_.set_distance_travelled(distance_travelled_m);
@@ -42,7 +46,10 @@ MissionLocalization::OdomChange MissionLocalization::set_odom_epoch(std::int64_t
   odom_was_reset_ = true;
   has_correction_ = false;
   const auto T_map_before = std::exchange(T_map_odom_, std::nullopt);
-  if (is_first) return OdomChange::kResetBeforeRestart;
+  if (is_first) {
+    map_is_restored_ = true;
+    return OdomChange::kResetBeforeRestart;
+  }
   traversed_path_.reset(T_map_before, z_map_odom_m_);
   return OdomChange::kReset;
 }
@@ -68,6 +75,7 @@ void MissionLocalization::restore_path() {
 
 void MissionLocalization::add_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return;  // of the odom frame before
+  compare_map(correction);
   has_correction_ = true;
   if (T_map_odom_ && *T_map_odom_ != correction.T_map_odom)
     traversed_path_.correct(between(correction.T_map_odom, *T_map_odom_),
@@ -76,6 +84,18 @@ void MissionLocalization::add_correction(const MapCorrection& correction) {
   z_map_odom_m_ = correction.z_map_odom_m;
   body_sd_m_ = position_sd_m(correction.body_covariance);
   if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom, z_map_odom_m_);
+}
+
+/// The first local map after a restart has a greater id than all that the mission knew before,
+/// unless the map has lost some of them, or all: then the body is not at its end.
+void MissionLocalization::compare_map(const MapCorrection& correction) {
+  const int newest = known_map_.newest_local_map.value_or(-1);
+  if (std::exchange(map_is_restored_, false) && correction.local_map <= newest) {
+    known_map_.home_unknown = fmt::format(
+        "the map has lost local maps {} to {}, which the robot had before the computer was off",
+        correction.local_map, newest);
+  }
+  known_map_.newest_local_map = std::max(newest, correction.local_map);
 }
 
 std::optional<double> MissionLocalization::home_uncertainty_m() const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
@@ -11,6 +12,12 @@
 #include "procs/mission/traversed_path.hpp"
 
 namespace adit {
+
+/// What the mission knows of the map.
+struct KnownMap {
+  std::optional<int> newest_local_map;      ///< id of the newest local map so far
+  std::optional<std::string> home_unknown;  ///< why home is not where the map has it
+};
 
 /// Where the robot is and how it came there: the odom frame in use, where that lies in map, and the
 /// traversed path, across restarts of scan matching and of the mission.
@@ -25,7 +32,7 @@ class MissionLocalization {
   /// Continues a mission after a restart of its process. `last_utime`: of the last stored phase
   /// [µs since the epoch]; `path`: all stored poses, oldest first.
   void restore(std::int64_t last_utime, double distance_travelled_m,
-               std::vector<StoredPathPose> path);
+               std::vector<StoredPathPose> path, KnownMap known_map = {});
 
   /// Returns the pose if it must be stored.
   std::optional<StoredPathPose> add_pose(std::int64_t utime, const Pose2& T_odom_body,
@@ -33,6 +40,7 @@ class MissionLocalization {
   /// `odom_epoch_utime`: of the odom frame of a scan match.
   OdomChange set_odom_epoch(std::int64_t odom_epoch_utime);
   void add_correction(const MapCorrection& correction);
+  [[nodiscard]] const KnownMap& known_map() const { return known_map_; }
   /// Continues the traversed path into earlier odom frames although the map correction is
   /// uncertain.
   void anchor_to_estimate();
@@ -63,6 +71,7 @@ class MissionLocalization {
 
  private:
   void restore_path();
+  void compare_map(const MapCorrection& correction);
 
   TraversedPath traversed_path_;
   std::optional<std::int64_t> odom_epoch_utime_;
@@ -71,6 +80,8 @@ class MissionLocalization {
   double body_sd_m_ = 0.0;           ///< of the body relative to home, see MapCorrection
   bool has_correction_ = false;      ///< received since the present odom frame began
   bool odom_was_reset_ = false;
+  KnownMap known_map_;
+  bool map_is_restored_ = false;  ///< after all computers were off; until the first map correction
   std::optional<std::int64_t> restored_utime_;  ///< of the last phase before a restart
   std::vector<StoredPathPose> restored_path_;   ///< until the odom frame is known
 };

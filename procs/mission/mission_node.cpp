@@ -27,7 +27,8 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
     if (journal_->last()) {
-      mission_.restore(*journal_->last(), *journal_->start_utime(), journal_->take_stored_path());
+      mission_.restore(*journal_->last(), *journal_->start_utime(), journal_->take_stored_path(),
+                       {journal_->newest_local_map(), journal_->home_unknown()});
     }
   }
   subscribe_to_stages();
@@ -56,7 +57,7 @@ void MissionNode::subscribe_to_stages() {
                           [this](const ScanMatch& match) { mission_.add_match(match); });
   subscribe<map_correction_t>(
       bus_, channels::kMapCorrection, queued,
-      [this](const MapCorrection& correction) { mission_.add_correction(correction); });
+      [this](const MapCorrection& correction) { on_correction(correction); });
   subscribe<exploration_t>(bus_, channels::kExploration, queued,
                            [this](const ExplorationReport& report) {
                              mission_.add_exploration(report);
@@ -77,6 +78,17 @@ void MissionNode::subscribe_to_stages() {
                                mission_.add_driving(state);
                                advance();
                              });
+}
+
+/// What the mission has seen of the map is on disk before it is used: a map that has fewer local
+/// maps after a restart has lost its end.
+void MissionNode::on_correction(const MapCorrection& correction) {
+  const KnownMap before = mission_.known_map();
+  mission_.add_correction(correction);
+  const KnownMap& known = mission_.known_map();
+  if (known.newest_local_map != before.newest_local_map)
+    store(NewestLocalMap{*known.newest_local_map});
+  if (known.home_unknown && !before.home_unknown) store(HomeUnknown{*known.home_unknown});
 }
 
 void MissionNode::advance() {
@@ -119,6 +131,9 @@ Health MissionNode::health() const {
   if (phase.phase == Phase::kWaiting) {
     return {Level::kDegraded, "waiting for pose and driving: " + phase.reason};
   }
+  if (mission_.home_unknown())
+    return {Level::kDegraded, "the robot does not know where home is: " + *mission_.home_unknown()};
+  if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
   return {};
 }
 

@@ -37,11 +37,13 @@ class MissionNode {
   /// Throws std::runtime_error if the journal cannot be used.
   MissionNode(Bus& bus, const Params& params);
 
-  /// Degraded while the mission waits; fault if the robot is stranded or the journal fails.
+  /// Degraded while the mission waits, if the robot does not know where home is or the journal was
+  /// damaged; fault if the robot is stranded or the journal fails.
   [[nodiscard]] Health health() const;
 
  private:
   void subscribe_to_stages();
+  void on_correction(const MapCorrection& correction);
   void advance();
   void publish_phase();
   template <class Record>

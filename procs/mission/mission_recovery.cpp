@@ -23,6 +23,7 @@ constexpr double kSlopeReliable = 0.15;
 constexpr double kMatchAtHomeM = 5.0;  // and back: the length of two local maps
 constexpr double kStartUnmeasuredM = 2.0;
 constexpr double kUnlevelledMaxM = 5.0;  // distance travelled with unknown roll and pitch
+constexpr double kUnknownHomeM = 20.0;   // an uncertainty that leaves other tunnels possible
 constexpr double kStartRadiusM = 0.3;    // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
@@ -146,7 +147,7 @@ void Mission::end_near_home(const std::string& reason) {
 void Mission::end_at_home(const std::string& reason) {
   const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
   if (!uncertainty_m) return end(MissionOutcome::kHome, "the robot is at home: " + reason);
-  const bool is_sure = *uncertainty_m <= params_.home_uncertainty_max_m;
+  const bool is_sure = *uncertainty_m <= params_.home_uncertainty_max_m && !home_unknown();
   if (!is_sure && !looks_at_home_) {
     looks_at_home_ = true;
     enter(Phase::kExplore,
@@ -166,6 +167,13 @@ void Mission::end_at_home(const std::string& reason) {
     return;
   }
   const double within_m = localization_.distance_from_home_m().value_or(0.0) + *uncertainty_m;
+  if (home_unknown() || within_m > kUnknownHomeM) {
+    const std::string why = home_unknown().value_or(
+        fmt::format("the pose has an uncertainty of {:.0f} m (95 %)", *uncertainty_m));
+    end(MissionOutcome::kHomeUncertain,
+        fmt::format("the robot does not know where home is: {}: {}", why, reason));
+    return;
+  }
   phase_.home_within_m = within_m;
   if (unlevelled_m_ > kUnlevelledMaxM) {
     end(MissionOutcome::kHomeUncertain,

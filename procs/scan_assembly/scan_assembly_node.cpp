@@ -91,6 +91,7 @@ Health ScanAssemblyNode::health() const {
   using Level = Health::Level;
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
   if (!scan_assembly_.problem().empty()) return {Level::kDegraded, scan_assembly_.problem()};
+  if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
   const std::string fault = clocks_.fault(bus_.now_utime());
   return fault.empty() ? Health{} : Health{Level::kDegraded, fault};
 }

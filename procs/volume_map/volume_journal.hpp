@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/journal/journal.hpp"
@@ -22,6 +23,9 @@ class VolumeJournal {
 
   /// The stored volumes at the time of opening. May be called once.
   StoredVolumes take_restored() { return std::move(restored_); }
+
+  /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
+  [[nodiscard]] const std::string& damage() const { return damage_; }
 
   /// Appends what is new, and synchronizes with the disk.
   void store(const VolumeMap& map);
@@ -45,6 +49,7 @@ class VolumeJournal {
   std::size_t written_times_ = 0;  ///< number of scan times
   std::optional<AnchoredOdom> written_odom_;
   Journal journal_;
+  std::string damage_;
 };
 
 }  // namespace adit

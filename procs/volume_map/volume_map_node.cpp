@@ -144,6 +144,7 @@ Health VolumeMapNode::health() const {
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
   if (!placed_) return {Level::kDegraded, "the last 3D scan cannot be localized"};
   if (incomplete_) return {Level::kDegraded, "the last 3D scan is incomplete"};
+  if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
   return {};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/targets.hpp"
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,7 +16,7 @@
 
 #include "common/bus/log/lcm_log.hpp"
 #include "common/config/config_file.hpp"
-#include "common/journal/journal_format.hpp"
+#include "common/journal/journal_recovery.hpp"
 #include "common/process_list/parser.hpp"
 #include "common/volume/volume.hpp"
 #include "procs/volume_map/occupancy_tree.hpp"
@@ -100,27 +101,34 @@ std::string_view take_carmen(std::span<const std::uint8_t> bytes) {
 
 Bytes sample_journal() {
   Bytes bytes;
+  journal_format::Place place;
   for (const std::size_t size : {0U, 40U, 7U, 300U}) {
     const Bytes data(size, static_cast<std::uint8_t>(size));
-    const Bytes record = journal_format::write({"LOCAL_MAP", data});
+    const Bytes record = journal_format::write({"LOCAL_MAP", data}, place);
+    place = {place.sequence + 1, journal_format::checksum_of(record)};
     bytes.insert(bytes.end(), record.begin(), record.end());
   }
   return bytes;
 }
 
-/// Reads all records. Every byte must belong to a record or be counted as corrupt or truncated.
+/// Finds all records. Every byte must belong to a record or be counted as corrupt or truncated; and
+/// the intact copy beside it makes every loss good.
 std::string_view take_journal(std::span<const std::uint8_t> bytes) {
-  JournalParser parser(bytes);
-  std::size_t in_records = 0;
-  while (const auto record = parser.next()) {
-    in_records += journal_format::kHeaderBytes + record->kind.size() + record->bytes.size();
-  }
-  const JournalHealth& health = parser.health();
-  if (in_records + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {
-    std::cerr << "the byte counts of the journal parser do not add up\n";
+  const JournalScan scan = scan_journal(bytes);
+  std::size_t counted = scan.truncated_bytes;
+  for (const auto& record : scan.records) counted += record.size;
+  for (const JournalRegion& region : scan.corrupt) counted += region.bytes;
+  if (counted != bytes.size()) {
+    std::cerr << "the byte counts of the journal do not add up\n";
     std::abort();
   }
-  return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
+  const Bytes intact = sample_journal();
+  const JournalContents joined = join_copies(std::array{scan, scan_journal(intact)});
+  if (joined.records.size() < 4) {
+    std::cerr << "a record that one copy has is lost\n";
+    std::abort();
+  }
+  return text_of(joined.health).empty() ? "" : "damaged";
 }
 
 /// Reads a process list. Writing and reading it again must give the same list.

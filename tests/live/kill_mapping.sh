@@ -4,7 +4,7 @@
 #
 # kill_mapping.sh LOG SPEED RECORD JOURNAL SEED MAPPING
 # Plays LOG to adit-mapping, which writes JOURNAL, kills it with SIGKILL at random times, and restarts it until
-# the log ends. After every second kill, some bytes are truncated from the journal; JOURNAL.torn receives the
+# the log ends. After every second kill, some bytes are truncated from both copies of the journal; JOURNAL.torn receives the
 # number of truncations. Run it by in_private_network.sh.
 set -u
 
@@ -38,7 +38,8 @@ for ((kill = 1; kill <= kKills; ++kill)); do
   sleep "$((RANDOM % 2)).$((RANDOM % 10))$((RANDOM % 10))"
   kill -KILL "$node"; wait "$node" 2>/dev/null
   if ((kill % 2 == 0)); then
-    truncate --size=-$((1 + RANDOM % kTruncatedMax)) "$journal"
+    kept=$(($(size "$journal") - 1 - RANDOM % kTruncatedMax))
+    truncate --size="$kept" "$journal" "${journal%.journal}.copy.journal"
     torn=$((torn + 1))
   fi
 done

@@ -136,7 +136,9 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
     });
     if (last == 0) return;
     const std::size_t bytes = std::uniform_int_distribution<std::size_t>(1, last)(random_);
-    std::filesystem::resize_file(journal_, std::filesystem::file_size(journal_) - bytes);
+    const std::uintmax_t size = std::filesystem::file_size(journal_) - bytes;
+    std::filesystem::resize_file(journal_, size);
+    std::filesystem::resize_file(journal_copy(journal_), size);
   }
 
   inline static std::vector<MatchedScan> drive_;

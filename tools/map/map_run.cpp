@@ -76,15 +76,20 @@ ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
   return configured_node<MappingNode>(kStage, yaml, params);
 }
 
-/// Copies the journal of an earlier run into the folder and returns its content.
+/// Copies the journal of an earlier run, both copies of it, into the folder and returns its
+/// content.
 StoredMap load_resumed_map(const std::filesystem::path& resume,
                            const std::filesystem::path& folder) {
   if (resume.empty()) return {};
   const std::filesystem::path journal = resume / kJournal;
-  if (!std::filesystem::is_regular_file(journal)) {
+  const std::string copy = journal_copy(kJournal).string();
+  const bool has_copy = std::filesystem::is_regular_file(resume / copy);
+  if (!std::filesystem::is_regular_file(journal) && !has_copy) {
     throw std::runtime_error(fmt::format("no map to resume: {} does not exist", journal.string()));
   }
-  std::filesystem::copy_file(journal, folder / kJournal);
+  if (std::filesystem::is_regular_file(journal))
+    std::filesystem::copy_file(journal, folder / kJournal);
+  if (has_copy) std::filesystem::copy_file(resume / copy, folder / copy);
   StoredMap stored = read_map_journal(folder / kJournal);
   if (stored.maps.empty()) {
     throw std::runtime_error(fmt::format("no map to resume: no local map in {}", journal.string()));
@@ -224,6 +229,8 @@ MapRunResult run_map(const MapRunOptions& options,
   result.warnings = collect_warnings(input, bus);
   warn_of_rejected(scan_matching_hosted, result.warnings);
   result.warnings.insert(result.warnings.end(), config_warnings.begin(), config_warnings.end());
+  const std::string resumed = map_journal_report(kJournal, earlier);
+  if (!resumed.empty()) result.warnings.push_back(resumed);
   if (!options.resume.empty() && result.cross_session_loop_closures == 0) {
     result.warnings.emplace_back(
         "no loop closure to the resumed map: the pose of this run in it is not verified");
@@ -240,8 +247,9 @@ MapRunResult run_map(const MapRunOptions& options,
   cost.local_map_ms = milliseconds(mapping_stopwatch, true);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   result.wall_s = cost.wall_s;
-  write_text_file(summary_json(record, map, stretches, input.times(), cost),
-                  folder / "summary.json");
+  write_text_file(
+      summary_json(record, map, stretches, input.times(), {resumed, earlier.losses}, cost),
+      folder / "summary.json");
   results.publish();
   return result;
 }

@@ -57,6 +57,14 @@ Json times_json(const TimeChoice& times) {
           {"scan_period_origin", times.period_origin}};
 }
 
+Json resumed_json(const ResumedMap& resumed) {
+  return {{"damage", resumed.report},
+          {"local_maps_lost", resumed.losses.local_maps},
+          {"local_maps_shortened", resumed.losses.shortened},
+          {"loop_closure_decisions_lost", resumed.losses.loop_closures},
+          {"end_lost", resumed.losses.end}};
+}
+
 Json segments_json(const RunRecord& record) {
   Json list = Json::array();
   for (const auto& segment : record.segments().segments()) {
@@ -157,7 +165,7 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
 
 std::string summary_json(const RunRecord& record, const FullMap& map,
                          const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
-                         const RunCost& cost) {
+                         const ResumedMap& resumed, const RunCost& cost) {
   const Trajectory& trajectory = record.odometry();
   const double duration_s =
       trajectory.empty() ? 0.0 : seconds(trajectory.back().utime - trajectory.front().utime);
@@ -175,6 +183,7 @@ std::string summary_json(const RunRecord& record, const FullMap& map,
       {"peak_memory_mb", cost.peak_memory_mb},
       {"map", map_json(map, record.contradictions())},
       {"doubtful_stretches", stretches_json(stretches)},
+      {"resumed_journal", resumed_json(resumed)},
       {"unobserved_segments_joined_m", record.segments().joined_m()},
       {"unobserved_segments", segments_json(record)}};
   return json.dump(2) + "\n";

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "procs/mapping/map_gaps.hpp"
 #include "tools/log_times/time_choice.hpp"
 #include "tools/map/doubt_list.hpp"
 #include "tools/map/full_map.hpp"
@@ -25,13 +26,19 @@ struct RunCost {
 /// CPU time and peak memory of this process; the other members are not set.
 RunCost process_cost();
 
+/// What is wrong with the map that was resumed.
+struct ResumedMap {
+  std::string report;  ///< damage of its journal, in a line; empty if it is intact or there is none
+  MapLosses losses;
+};
+
 /// Figures of a run as JSON, for summary.json: scans by status, the times that were used, path
 /// length, computation times, memory, the map including earlier sessions, the stretches of this run
 /// on which the map may be wrong, and the segments where motion was not fully observed
 /// (SegmentList).
 std::string summary_json(const RunRecord& record, const FullMap& map,
                          const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
-                         const RunCost& cost);
+                         const ResumedMap& resumed, const RunCost& cost);
 
 /// Loop closures of a map.
 struct LoopClosureCounts {

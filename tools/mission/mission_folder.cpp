@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@
 #include "common/files/file_utils.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/odometry.hpp"
+#include "procs/mapping/map_journal.hpp"
 #include "procs/mission/mission_journal.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/simulation/simulation.hpp"
@@ -39,8 +41,6 @@ constexpr const char* kOutageMax = "--outage-max-s 10";
 
 constexpr const char* kLicence =
     "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
-
-constexpr std::int64_t kPowerLossDurationUs = 10'000'000;  // of simulated time
 
 fs::path log_of_run(const fs::path& folder, int run_number) {
   return folder / (run_number == 1 ? "run.lcmlog" : fmt::format("run_{}.lcmlog", run_number));
@@ -152,10 +152,8 @@ MissionStart resume_mission(const MissionFolder& folder, SimulatorStart& start) 
   WorldDescription world = find_world(folder.world().string());
   MissionStart first{world.T_world_start.translation(), folder.start_height_m()};
   const SimulatedPose pose = folder.last_pose();
-  world.start_level = level_of(world, pose);
-  world.T_world_start = pose.T_world_body;
   start.start_utime = pose.utime + kPowerLossDurationUs;
-  write_text_file(to_world_file(world), folder.start());
+  write_text_file(to_world_file(with_start_at(std::move(world), pose)), folder.start());
   return first;
 }
 
@@ -191,10 +189,10 @@ void MissionFolder::require_unfinished() const {
     throw std::runtime_error(fmt::format("{} has no mission to resume", path_.string()));
   }
   if (!fs::exists(journal())) return;  // power loss before the first phase
-  const MissionJournal journal(this->journal());
-  if (journal.last() && journal.last()->phase == Phase::kEnded) {
+  const std::optional<MissionPhase> last = read_last_phase(journal());
+  if (last && last->phase == Phase::kEnded) {
     throw std::runtime_error(
-        fmt::format("the mission in {} has ended: {}", path_.string(), journal.last()->reason));
+        fmt::format("the mission in {} has ended: {}", path_.string(), last->reason));
   }
 }
 
@@ -215,6 +213,43 @@ std::optional<double> MissionFolder::start_height_m() const {
     if (const auto pose = truth_pose_in(*event)) return pose->z_m;
   }
   return std::nullopt;
+}
+
+namespace {
+
+/// A journal that ends earlier than it did is intact by itself; the mission knows what the map had.
+std::string map_end_report(const MissionFolder& folder) {
+  const fs::path map = folder.path() / "mapping.journal";
+  if (!fs::exists(folder.journal()) || !fs::exists(map)) return {};
+  const std::optional<int> newest = read_newest_local_map(folder.journal());
+  const auto maps = static_cast<int>(read_map_journal(map).maps.size());
+  if (!newest || *newest < maps) return {};
+  return fmt::format("mapping.journal: local maps {} to {} lost, which the mission had", maps,
+                     *newest);
+}
+
+}  // namespace
+
+WorldDescription with_start_at(WorldDescription world, const SimulatedPose& pose) {
+  world.start_level = level_of(world, pose);
+  world.T_world_start = pose.T_world_body;
+  return world;
+}
+
+std::vector<std::string> journal_reports(const MissionFolder& folder) {
+  constexpr const char* kSuffix = ".journal";
+  constexpr const char* kMapping = "mapping";
+  std::vector<std::string> reports;
+  for (const std::string& stage : stage_names()) {
+    const fs::path path = folder.path() / (stage + kSuffix);
+    if (!fs::exists(path) && !fs::exists(journal_copy(path))) continue;
+    const std::string report =
+        stage == kMapping ? map_journal_report(path, read_map_journal(path))
+                          : journal_report(path, read_journal(path, [](const JournalRecord&) {}));
+    if (!report.empty()) reports.push_back(report);
+  }
+  if (const std::string report = map_end_report(folder); !report.empty()) reports.push_back(report);
+  return reports;
 }
 
 std::string without_repeated_sections(const std::vector<std::string>& yamls) {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "sim/world/world_file.hpp"
 #include "tools/mission/mission_live.hpp"
 #include "tools/mission/mission_progress.hpp"
 
@@ -60,6 +61,16 @@ class MissionFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// Simulated time for which the robot is off when it loses power and its mission is resumed.
+inline constexpr std::int64_t kPowerLossDurationUs = 10'000'000;
+
+/// The world with the start at a pose.
+WorldDescription with_start_at(WorldDescription world, const SimulatedPose& pose);
+
+/// What to tell a person about the journals of a mission before they are opened: a line for each
+/// that is not intact. Throws std::runtime_error if one cannot be read.
+std::vector<std::string> journal_reports(const MissionFolder& folder);
 
 /// YAML for all processes of a mission: all keys of all stages with their effective values.
 /// Journals have no folder, because the processes run in the folder of the mission. Throws

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
@@ -16,6 +18,7 @@
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "tools/drive/drive_run.hpp"
+#include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/pipeline.hpp"
 
@@ -28,12 +31,13 @@ constexpr double kProgressS = 1.0;  // of simulated time
 class MissionInProcess {
  public:
   MissionInProcess(const MissionRunOptions& options, const WorldDescription& world,
-                   const Site& site)
+                   const Site& site, std::int64_t start_utime)
       : options_(options),
+        start_utime_(start_utime),
         params_(load_simulation_params(options.config, options.faults)),
-        log_(options.folder / "run.lcmlog"),
+        log_(MissionFolder(options.folder).next_log()),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
-        sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), kDriveStartUtime),
+        sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), start_utime),
         follower_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
     host_.set_health([this] { return sim_.health(); });
     bus_.tap([this](const ReceivedMessage& message) {
@@ -45,6 +49,9 @@ class MissionInProcess {
     }
     start_ = true_position();
   }
+
+  /// Where the mission began, if not where the robot is now.
+  void set_start(const Eigen::Vector3d& p_world_start) { start_ = p_world_start; }
 
   MissionRunResult run(const std::function<void(const MissionProgress&)>& progress) {
     while (!is_over()) {
@@ -78,7 +85,7 @@ class MissionInProcess {
   }
 
   [[nodiscard]] double simulated_s() const {
-    return seconds(sim_.simulation().utime() - kDriveStartUtime);
+    return seconds(sim_.simulation().utime() - start_utime_);
   }
   [[nodiscard]] Eigen::Vector3d true_position() const {
     return sim_.simulation().vehicle().motion().T_world_body.translation();
@@ -86,6 +93,7 @@ class MissionInProcess {
   [[nodiscard]] double distance_from_start_m() const { return (true_position() - start_).norm(); }
 
   const MissionRunOptions& options_;
+  std::int64_t start_utime_;
   SimulationParams params_;
   LogWriter log_;
   MemoryBus bus_;
@@ -102,11 +110,21 @@ class MissionInProcess {
 
 MissionRunResult run_mission(const MissionRunOptions& options,
                              const std::function<void(const MissionProgress&)>& progress) {
-  const WorldDescription world = describe(options.world);
+  const MissionFolder folder(options.folder);
+  WorldDescription world = describe(options.world);
+  std::int64_t start_utime = kDriveStartUtime;
+  std::optional<Eigen::Vector3d> first_start;
+  if (options.resume) {
+    const SimulatedPose pose = folder.last_pose();
+    const Eigen::Vector2d start = world.T_world_start.translation();
+    first_start = {start.x(), start.y(), folder.start_height_m().value_or(0.0)};
+    start_utime = pose.utime + kPowerLossDurationUs;
+    world = with_start_at(std::move(world), pose);
+  }
   const Site site(build_world(world));
-  std::filesystem::create_directories(options.folder);
   const auto start = std::chrono::steady_clock::now();
-  MissionInProcess mission(options, world, site);
+  MissionInProcess mission(options, world, site, start_utime);
+  if (first_start) mission.set_start(*first_start);
   MissionRunResult result = mission.run(progress);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   result.wall_s = wall.count();

@@ -16,9 +16,12 @@ namespace adit {
 /// A mission in a simulated mine with all stages in this process, as fast as possible.
 struct MissionRunOptions {
   WorldChoice world;
-  std::filesystem::path folder;      ///< for run.lcmlog and journals; created if it does not exist
-  std::filesystem::path config;      ///< YAML; empty: defaults, and the lasers of the simulator
-  std::vector<std::string> faults;   ///< in the syntax of parse_fault
+  std::filesystem::path folder;     ///< for run.lcmlog and journals; created if it does not exist
+  std::filesystem::path config;     ///< YAML; empty: defaults, and the lasers of the simulator
+  std::vector<std::string> faults;  ///< in the syntax of parse_fault
+  /// Continues the mission in `folder`, in the same world, after a power loss: the simulated robot
+  /// stands at its last TRUTH, and the log is the next one of the folder.
+  bool resume = false;
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
 };
 

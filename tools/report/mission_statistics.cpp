@@ -209,6 +209,7 @@ std::string end_text(const MissionStatistics& statistics) {
     case MissionOutcome::kHome:
       return fmt::format("The robot returned home{}.", within_text(", within ", *statistics.last));
     case MissionOutcome::kHomeUncertain:
+      if (!statistics.last->home_within_m) return "The robot does not know where home is.";
       return fmt::format("The robot is at home by its own estimate, but not sure{}.",
                          within_text(": within ", *statistics.last));
     case MissionOutcome::kStopped:

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -100,8 +102,19 @@ Json contradictory_json(const MissionStatistics& statistics) {
   return list;
 }
 
+/// What the stages said of damaged journals, each line once.
+Json journals_json(const EventRecord& events) {
+  std::set<std::string> lines;
+  for (const MissionEvent& event : events.events()) {
+    const bool names_journal = event.description.find(".journal: ") != std::string::npos;
+    if (event.kind == MissionEvent::Kind::kHealth && names_journal) lines.insert(event.description);
+  }
+  return lines;
+}
+
 /// Figures of a mission as JSON, for summary.json. Values without data in the log are null.
-std::string mission_summary_json(const MissionStatistics& statistics, const LogInfo& log_info) {
+std::string mission_summary_json(const MissionStatistics& statistics, const EventRecord& events,
+                                 const LogInfo& log_info) {
   const Json json{
       {"simulated", statistics.simulated},
       {"begin", date_text(statistics.from_utime)},
@@ -124,6 +137,7 @@ std::string mission_summary_json(const MissionStatistics& statistics, const LogI
       {"frontiers", frontiers_json(statistics)},
       {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
       {"restarts", statistics.restarts},
+      {"damaged_journals", journals_json(events)},
       {"against_truth", truth_json(statistics)},
       {"collision", statistics.failure ? Json(!statistics.failure->empty()) : Json()},
       {"failure", statistics.failure ? Json(*statistics.failure) : Json()},
@@ -263,8 +277,9 @@ std::vector<std::string> write_report_files(const ReportInput& input,
   write_graph(input, folder, warnings);
   write_volume(input, folder, warnings);
   write_junctions(input, folder, warnings);
-  write_text_file(mission_summary_json(input.statistics, input.records.log_info),
-                  folder / "summary.json");
+  write_text_file(
+      mission_summary_json(input.statistics, input.records.events, input.records.log_info),
+      folder / "summary.json");
   return warnings;
 }
 

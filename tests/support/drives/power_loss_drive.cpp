@@ -179,7 +179,9 @@ PowerLoss PowerLossDrive::lose_power(DiskAfterPowerLoss disk, std::mt19937& rand
     truncate_journal(folder_ / kVolumeJournal, random);
   }
   if (disk == DiskAfterPowerLoss::kBeforeLastScan) {
-    std::filesystem::resize_file(folder_ / kVolumeJournal, volume_bytes_);
+    const std::filesystem::path journal = folder_ / kVolumeJournal;
+    std::filesystem::resize_file(journal, volume_bytes_);
+    std::filesystem::resize_file(journal_copy(journal), volume_bytes_);
   }
   run(kOffS);
   start_computer();
@@ -223,7 +225,9 @@ void PowerLossDrive::truncate_journal(const std::filesystem::path& journal,
   });
   if (last == 0) return;
   const std::size_t truncated = std::uniform_int_distribution<std::size_t>(1, last)(random);
-  std::filesystem::resize_file(journal, std::filesystem::file_size(journal) - truncated);
+  const std::uintmax_t size = std::filesystem::file_size(journal) - truncated;
+  std::filesystem::resize_file(journal, size);
+  std::filesystem::resize_file(journal_copy(journal), size);
 }
 
 Pose2 PowerLossDrive::T_world_body() const {

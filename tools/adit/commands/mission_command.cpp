@@ -147,6 +147,10 @@ void run_in_process(const MissionLiveOptions& mission) {
 void run_processes(const MissionLiveOptions& mission) {
   const std::filesystem::path folder = std::filesystem::absolute(mission.folder);
   MissionProgressPrinter printer;
+  if (mission.resume) {
+    for (const std::string& report : journal_reports(MissionFolder(folder)))
+      printer.print_message(report);
+  }
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) { printer.update(progress, wall_s); },

@@ -54,12 +54,29 @@ class JournalTest : public testing::Test {
     return {found, journal.health()};
   }
 
+  /// The same without opening it, which is faster where it would be repaired.
+  std::pair<Records, JournalHealth> read() const {
+    Records found;
+    const JournalHealth health = read_journal(path_, [&](const JournalRecord& record) {
+      found.emplace_back(record.kind, std::vector(record.bytes.begin(), record.bytes.end()));
+    });
+    return {found, health};
+  }
+
+  void remove() const {
+    std::filesystem::remove(path_);
+    std::filesystem::remove(copy_);
+  }
+
+  /// Writes the file, and removes its copy.
   void overwrite(const std::string& bytes) const {
+    remove();
     std::ofstream(path_, std::ios::binary | std::ios::trunc) << bytes;
   }
 
   ScratchFolder folder_;
   std::filesystem::path path_ = folder_ / "mission.journal";
+  std::filesystem::path copy_ = journal_copy(path_);
 };
 
 /// The text of the exception that `action` throws, or nothing.

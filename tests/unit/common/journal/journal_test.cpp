@@ -13,19 +13,21 @@ using test::records;
 
 TEST(JournalRecord, HasTheBytesOfTheReadme) {
   const std::vector<std::uint8_t> data = {1, 2, 3};
-  const auto bytes = journal_format::write({"POSE", data});
-  ASSERT_EQ(bytes.size(), 27U);
-  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "ADJ1");
+  const auto bytes = journal_format::write({"POSE", data}, {5, 6});
+  ASSERT_EQ(bytes.size(), 35U);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "ADJ2");
   EXPECT_EQ(bytes[7], 4);
   EXPECT_EQ(bytes[11], 3);
-  EXPECT_EQ(std::string(bytes.begin() + 20, bytes.begin() + 24), "POSE");
+  EXPECT_EQ(bytes[19], 5);
+  EXPECT_EQ(bytes[23], 6);
+  EXPECT_EQ(std::string(bytes.begin() + 28, bytes.begin() + 32), "POSE");
   EXPECT_EQ(bytes.back(), 3);
 }
 
 TEST(JournalRecord, RejectsAnEmptyOrOverlongKind) {
-  EXPECT_THROW(journal_format::write({"", {}}), std::length_error);
-  EXPECT_THROW(journal_format::write({std::string(64, 'x'), {}}), std::length_error);
-  EXPECT_NO_THROW(journal_format::write({std::string(63, 'x'), {}}));
+  EXPECT_THROW(journal_format::write({"", {}}, {}), std::length_error);
+  EXPECT_THROW(journal_format::write({std::string(64, 'x'), {}}, {}), std::length_error);
+  EXPECT_NO_THROW(journal_format::write({std::string(63, 'x'), {}}, {}));
 }
 
 class Journals : public test::JournalTest {};
@@ -45,7 +47,7 @@ TEST_F(Journals, ContinueAnExistingFile) {
 TEST_F(Journals, AreReproducible) {
   (void)append(1, 20);
   const std::string first = contents(path_);
-  std::filesystem::remove(path_);
+  remove();
   for (int i = 1; i <= 20; ++i) (void)append(i, i);
   EXPECT_EQ(contents(path_), first);
 }

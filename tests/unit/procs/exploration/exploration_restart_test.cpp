@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/journal/journal.hpp"
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
@@ -237,6 +238,7 @@ TEST(ExplorationJournal, SkipsTornRecordsAndDiscardsTheStateOfAnotherMap) {
     journal.store(stored);
   }
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 3);
+  std::filesystem::remove(journal_copy(path));
   {
     ExplorationJournal journal(path);
     EXPECT_EQ(journal.restored().exploration, stored.exploration);

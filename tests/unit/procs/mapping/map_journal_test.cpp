@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/map_journal.hpp"
 
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "common/journal/journal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -53,6 +59,7 @@ TEST_F(MapJournalOnDisk, LosesOnePartToATruncatedRecord) {
     journal.append_unfinished(local_map(0, 5));
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 1);
+  std::filesystem::remove(journal_copy(path_));
   const StoredMap stored = read_map_journal(path_);
   ASSERT_TRUE(stored.unfinished);
   EXPECT_EQ(*stored.unfinished, local_map(0, 2));
@@ -85,6 +92,94 @@ TEST_F(MapJournalOnDisk, RestoresTheReplacementOfADiscardedLocalMap) {
   const StoredMap stored = read_map_journal(path_);
   ASSERT_TRUE(stored.unfinished);
   EXPECT_EQ(*stored.unfinished, next);
+}
+
+/// Damages the record of this number in both copies, from 0.
+void damage_record(const std::filesystem::path& path, std::size_t number) {
+  for (const auto& file : {path, journal_copy(path)}) {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    const JournalScan scan =
+        scan_journal({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const JournalScan::Found& record = scan.records.at(number);
+    bytes[record.offset + record.size - 1] ^= 1;
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+  }
+}
+
+/// Along the x axis of odom, 5 m each.
+LocalMap map_at(int id) {
+  LocalMap map = local_map(id, 3);
+  map.T_odom_local = {5.0 * id, 0.0, 0.0};
+  map.T_previous_local = {5.0, 0.0, 0.0};
+  map.information = Eigen::Matrix3d::Identity();
+  return map;
+}
+
+TEST_F(MapJournalOnDisk, KeepsTheIdsOfTheLocalMapsAfterALostOne) {
+  {
+    MapJournal journal(path_);
+    for (int id = 0; id < 4; ++id) journal.append({map_at(id), {}});
+  }
+  damage_record(path_, 1);
+  for (int opened = 0; opened < 2; ++opened) {  // the repaired file still has the gap
+    const StoredMap stored = read_map_journal(path_);
+    ASSERT_EQ(stored.maps.size(), 4U);
+    EXPECT_TRUE(stored.maps[1].scans.empty());
+    EXPECT_EQ(stored.losses.local_maps, std::vector{1});
+    EXPECT_EQ(stored.maps[3], map_at(3));
+    EXPECT_EQ(stored.maps[2].scans, map_at(2).scans);
+    // The empty one is at the end of the first, by odom.
+    const Pose2 T_first_after = stored.maps[1].T_previous_local * stored.maps[2].T_previous_local;
+    EXPECT_NEAR(T_first_after.x, 10.0, 1e-9);
+    EXPECT_LT(stored.maps[2].information(0, 0), 1.0) << "the gap is uncertain by a metre or more";
+    const MapJournal journal(path_);
+    EXPECT_TRUE(journal.is_damaged());
+    EXPECT_NE(journal.report().find("local map 1 lost"), std::string::npos) << journal.report();
+  }
+}
+
+TEST_F(MapJournalOnDisk, TakesThePartsOfALostLocalMap) {
+  {
+    MapJournal journal(path_);
+    journal.append({map_at(0), {}});
+    LocalMap part = map_at(1);
+    part.scans.pop_back();
+    part.end_utime = part.scans.back().scan.utime;
+    journal.append_unfinished(part);
+    journal.append({map_at(1), {}});
+    journal.append({map_at(2), {}});
+  }
+  damage_record(path_, 2);
+  const StoredMap stored = read_map_journal(path_);
+  ASSERT_EQ(stored.maps.size(), 3U);
+  EXPECT_EQ(stored.maps[1].scans.size(), 2U);
+  EXPECT_EQ(stored.maps[2], map_at(2)) << "linked as before";
+  EXPECT_EQ(stored.losses.shortened, std::vector{1});
+  EXPECT_FALSE(stored.losses.has_gap());
+}
+
+TEST_F(MapJournalOnDisk, DoesNotKnowWhatFollowedTheLastLocalMap) {
+  {
+    MapJournal journal(path_);
+    for (int id = 0; id < 3; ++id) journal.append({map_at(id), {}});
+  }
+  damage_record(path_, 2);
+  const StoredMap stored = read_map_journal(path_);
+  EXPECT_EQ(stored.maps.size(), 2U);
+  EXPECT_TRUE(stored.losses.end);
+  MapJournal(path_).append({map_at(2), {}});
+  EXPECT_TRUE(read_map_journal(path_).losses.end) << "known in later sessions too";
+  EXPECT_TRUE(MapJournal(path_).is_damaged());
+}
+
+TEST_F(MapJournalOnDisk, HasAnEmptyLocalMapForHomeIfNothingIsLeft) {
+  MapJournal(path_).append({map_at(0), {}});
+  damage_record(path_, 0);
+  const StoredMap stored = read_map_journal(path_);
+  ASSERT_EQ(stored.maps.size(), 1U);
+  EXPECT_TRUE(stored.maps[0].scans.empty());
+  EXPECT_TRUE(stored.losses.end);
 }
 
 }  // namespace

@@ -208,5 +208,34 @@ TEST_F(MissionRestart, StartsWithAnEmptyJournal) {
   EXPECT_FALSE(journal.start_utime());
 }
 
+/// After a power loss the first local map is newer than all before, unless the map lost some.
+TEST(MissionLocalizationAfterPowerLoss, KnowsHomeOnlyInAMapThatHasNotLostItsEnd) {
+  constexpr std::int64_t kBefore = 1'600'000'000'000'000;
+  for (const int local_map : {0, 5, 7, 8}) {
+    MissionLocalization localization;
+    localization.restore(kBefore, 10.0, {}, {7, {}});
+    localization.set_odom_epoch(kBefore + 10'000'000);
+    MapCorrection correction;
+    correction.utime = kBefore + 11'000'000;
+    correction.local_map = local_map;
+    localization.add_correction(correction);
+    EXPECT_EQ(localization.known_map().home_unknown.has_value(), local_map <= 7) << local_map;
+    EXPECT_EQ(localization.known_map().newest_local_map, std::max(7, local_map));
+  }
+}
+
+/// The map lives on, and odom continues.
+TEST(MissionLocalizationAfterRestart, KnowsHome) {
+  constexpr std::int64_t kBefore = 1'600'000'000'000'000;
+  MissionLocalization localization;
+  localization.restore(kBefore, 10.0, {}, {7, {}});
+  localization.set_odom_epoch(kBefore - 10'000'000);
+  MapCorrection correction;
+  correction.utime = kBefore;
+  correction.local_map = 7;
+  localization.add_correction(correction);
+  EXPECT_FALSE(localization.known_map().home_unknown);
+}
+
 }  // namespace
 }  // namespace adit

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/journal/journal.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -146,6 +147,7 @@ TEST_F(CloudJournalTest, LeavesOutAnIncompleteCloud) {
     journal.store(cloud_of(2));
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 5);
+  std::filesystem::remove(journal_copy(path_));
   CloudJournal(path_).store(cloud_of(3));
   EXPECT_THAT(restored(), ElementsAre(1, 3));
 }

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/journal/journal_format.hpp"
+#include "common/journal/journal.hpp"
 #include "procs/volume_map/volume_record.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/volume_map/swept_tunnel.hpp"
@@ -180,6 +180,7 @@ TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
     journal.store(map);
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
+  std::filesystem::remove(journal_copy(path_));
   VolumeMap again = restored();
   place(again, 0, 1, {});
   expect_same(again, first);
@@ -197,6 +198,7 @@ TEST_F(VolumeJournalOnDisk, RestoresTheScanTimes) {
   EXPECT_EQ(restored().scan_utimes(), (std::vector{kUtime + 1, kUtime + 2}));
   EXPECT_EQ(restored().scan_utimes(), map.scan_utimes());
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
+  std::filesystem::remove(journal_copy(path_));
   EXPECT_EQ(restored().scan_utimes(),
             (std::vector{kUtime + 1}));  // the other one can be requested again
 }

@@ -66,14 +66,6 @@ void MappingNode::restore(const std::string& journal) {
   graph_pending_ = true;
 }
 
-Health MappingNode::health() const {
-  const std::string fault = clocks_.fault(bus_.now_utime());
-  if (health_.level == Health::Level::kOk && !fault.empty()) {
-    return {Health::Level::kDegraded, fault};
-  }
-  return health_;
-}
-
 void MappingNode::restart_time() {
   waiting_.clear();
   mapping_.restart_time();
@@ -120,8 +112,10 @@ void MappingNode::journal_unfinished() {
 
 /// A map that the journal has lost parts of is doubtful as long as the stage runs.
 Health MappingNode::health() const {
-  if (!health_.reason.empty() || !journal_ || !journal_->is_damaged()) return health_;
-  return {Health::Level::kDegraded, journal_->report()};
+  if (!health_.reason.empty()) return health_;
+  if (journal_ && journal_->is_damaged()) return {Health::Level::kDegraded, journal_->report()};
+  const std::string fault = clocks_.fault(bus_.now_utime());
+  return fault.empty() ? Health{} : Health{Health::Level::kDegraded, fault};
 }
 
 void MappingNode::write_journal(const std::function<void()>& append) {

@@ -203,6 +203,14 @@ void FrontierRegister::set_state_by_access(std::size_t i, Access access,
         });
     return set(frontier, nearest->state, nearest->evidence, utime);
   }
+  if (frontier.width_m >= params_.wide_m) {
+    return set(
+        frontier, FrontierState::kUnconfirmed,
+        fmt::format("no known path to it is wide enough for the vehicle, though it is {:.1f} "
+                    "m wide",
+                    frontier.width_m),
+        utime);
+  }
   set(frontier, FrontierState::kTooNarrow, "no known path to it is wide enough for the vehicle",
       utime);
 }

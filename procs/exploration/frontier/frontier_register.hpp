@@ -22,6 +22,9 @@ struct FrontierRegisterParams {
   /// Plans without a path, after which returns of level lasers alone do not close a frontier that
   /// the robot has not passed.
   int rejections = 2;
+  /// Width of an opening through which every vehicle fits. Level lasers may take rising ground or a
+  /// falling roof before it for walls, so it is not too narrow without other evidence.
+  double wide_m = 1.8;
   int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
 
   template <class V>
@@ -31,6 +34,7 @@ struct FrontierRegisterParams {
     v("advance_m", advance_m, within(0.0, 100.0));
     v("closings", closings, at_least(1));
     v("rejections", rejections, at_least(1));
+    v("wide_m", wide_m, within(0.0, 100.0));
     v("stalls", stalls, at_least(1));
   }
 };

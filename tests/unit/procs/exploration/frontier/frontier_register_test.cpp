@@ -130,6 +130,22 @@ TEST_F(RejectedFrontier, IsUnconfirmedAfterARestart) {
   EXPECT_EQ(state(), FrontierState::kUnconfirmed);
 }
 
+/// Level lasers may take the roof of a falling tunnel for walls that leave no path.
+TEST_F(RejectedFrontier, IsTooNarrowOnlyIfItsOpeningIsNarrow) {
+  for (const auto& [width_m, expected] :
+       {std::pair{1.0, FrontierState::kTooNarrow}, std::pair{2.0, FrontierState::kUnconfirmed}}) {
+    DetectedFrontier end{kEnd};
+    end.width_m = width_m;
+    update({end});
+    ASSERT_EQ(state(), FrontierState::kOpen);
+    end.access = Access::kUnreachable;
+    update({end});
+    EXPECT_EQ(state(), expected);
+    end.access = Access::kReachable;
+    update({end});
+  }
+}
+
 TEST_F(ClosedFrontier, IsExplored) {
   EXPECT_EQ(state(), FrontierState::kExplored);
   EXPECT_EQ(frontiers_.find(0)->evidence, "the space behind it was observed by local map 1");

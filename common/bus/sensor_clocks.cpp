@@ -3,6 +3,7 @@
 #include "common/bus/sensor_clocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>

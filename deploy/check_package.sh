@@ -62,7 +62,7 @@ grep -q 'simulated.cfg has no script "none"' "$scratch/list.err" || fail "the li
 
 # The pages have what the programs print, and every command of adit.
 for command in $("$bin/adit" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
-  zcat "$tree/usr/share/man/man1/adit.1.gz" | grep -q "^\.SS adit $command$" || fail "adit(1) has no $command"
+  zcat "$tree/usr/share/man/man1/adit.1.gz" | grep "^\.SS adit $command$" >/dev/null || fail "adit(1) has no $command"
 done
 if command -v man >/dev/null; then
   for page in "$tree"/usr/share/man/man1/*.gz; do

@@ -48,8 +48,8 @@ class MappingNode {
   /// Throws std::runtime_error if the journal cannot be used.
   MappingNode(Bus& bus, const Params& params);
 
-  /// Degraded if the journal cannot be written or was damaged when it was opened, or if the clock of
-  /// a sensor is off.
+  /// Degraded if the journal cannot be written or was damaged when it was opened, or if the clock
+  /// of a sensor is off.
   [[nodiscard]] Health health() const;
   [[nodiscard]] const Mapping& map() const { return mapping_; }
 

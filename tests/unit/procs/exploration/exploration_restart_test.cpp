@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "common/journal/journal.hpp"
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/journal/journal.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mapping/terrain.hpp"

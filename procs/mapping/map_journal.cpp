@@ -176,7 +176,7 @@ StoredMap read_map_journal(const std::filesystem::path& path) {
 }
 
 std::string map_journal_report(const std::filesystem::path& path, const StoredMap& stored) {
-  const std::string report = journal_report(path, stored.health);
+  std::string report = journal_report(path, stored.health);
   const std::string losses = text_of(stored.losses);
   if (losses.empty()) return report;
   return (report.empty() ? path.filename().string() : report) + ": " + losses;

@@ -226,6 +226,7 @@ TEST_F(MapRun, ReportsWhyItCannotResume) {
   EXPECT_THAT(failure_of("sample.lcmlog", "short"), HasSubstr("no local map in "));
   EXPECT_THAT(failure_of("short.lcmlog", "first"), HasSubstr("too short to continue a map: "));
   write("first/map.journal", "garbage");
+  write("first/map.copy.journal", "garbage");
   EXPECT_THAT(failure_of("sample.lcmlog", "first"), HasSubstr("map.journal"));
   EXPECT_FALSE(std::filesystem::exists(at("map")));
 }

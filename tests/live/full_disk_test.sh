@@ -32,7 +32,7 @@ declare -A prints=(
 # Files: command lines that write, and print nothing that matters.
 declare -A writes=(
   [drive]='drive sample --waypoints in.txt --out out.lcmlog'
-  [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
+  [import]='import carmen in.log out.lcmlog' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
   [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'
   [plan]='plan in_scan.lcmlog --out out' [sample]='sample out.log --length-m 4'
   [sample_lcm]='sample out.lcmlog --length-m 4' [sample_truth]='sample out.log --length-m 4 --truth out.tum'

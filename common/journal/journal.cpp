@@ -138,6 +138,7 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
   health_ = opened.contents().health;
   if (!has_first) health_.recovered += std::exchange(health_.behind, 0);  // the file was removed
   if (!has_all) health_.behind = 0;  // the journal is from before there were copies
+  if (health_.is_damaged()) damage_ = journal_report(path, health_);
   opened.read(reader);
   std::vector<Found> joined = opened.contents().records;
   const auto& scans = opened.scans();
@@ -204,10 +205,6 @@ void Journal::sync() const {
 std::string journal_report(const fs::path& path, const JournalHealth& health) {
   const std::string text = text_of(health);
   return text.empty() ? "" : path.filename().string() + ": " + text;
-}
-
-std::string journal_damage(const fs::path& path, const JournalHealth& health) {
-  return health.is_damaged() ? journal_report(path, health) : "";
 }
 
 }  // namespace adit

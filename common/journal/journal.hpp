@@ -72,6 +72,9 @@ class Journal {
 
   /// Integrity of the files when they were opened.
   [[nodiscard]] const JournalHealth& health() const { return health_; }
+  /// What to tell a person if they were damaged then, in one line: its name and text_of. Empty for
+  /// intact ones, and where a power loss explains what is missing.
+  [[nodiscard]] const std::string& damage() const { return damage_; }
 
  private:
   void repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
@@ -81,6 +84,7 @@ class Journal {
 
   std::vector<std::unique_ptr<LockedFile>> files_;  // the same bytes in each
   JournalHealth health_;
+  std::string damage_;
   journal_format::Place next_;  // of the next record
   std::uint64_t end_ = 0;       // its offset
 };
@@ -92,7 +96,5 @@ JournalHealth read_journal(const std::filesystem::path& path, const JournalReade
 /// What to tell a person about a journal when it is opened: its name and text_of; empty for an
 /// intact one.
 std::string journal_report(const std::filesystem::path& path, const JournalHealth& health);
-/// The same for a damaged journal only: empty where a power loss explains what is missing.
-std::string journal_damage(const std::filesystem::path& path, const JournalHealth& health);
 
 }  // namespace adit

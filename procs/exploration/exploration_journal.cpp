@@ -89,8 +89,7 @@ std::string without_map_position(StoredFrontier frontier) {
 }  // namespace
 
 ExplorationJournal::ExplorationJournal(const std::filesystem::path& path)
-    : journal_(path, [this](const JournalRecord& record) { read(record); }),
-      damage_(journal_damage(path, journal_.health())) {
+    : journal_(path, [this](const JournalRecord& record) { read(record); }) {
   written_.map_utime = restored_.map_utime;
   for (const StoredFrontier& frontier : restored_.exploration.frontiers) {
     written_.frontiers.push_back(without_map_position(frontier));

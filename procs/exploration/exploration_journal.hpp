@@ -36,7 +36,7 @@ class ExplorationJournal {
   [[nodiscard]] const StoredExploration& restored() const { return restored_; }
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
-  [[nodiscard]] const std::string& damage() const { return damage_; }
+  [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
 
   /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
   /// What 3D scans observed is not stored again.
@@ -60,7 +60,6 @@ class ExplorationJournal {
   StoredExploration restored_;
   Written written_;
   Journal journal_;
-  std::string damage_;
 };
 
 }  // namespace adit

@@ -30,8 +30,7 @@ std::optional<int> newest_local_map_of(const JournalRecord& record) {
 }  // namespace
 
 MissionJournal::MissionJournal(const std::filesystem::path& path)
-    : journal_(path, [this](const JournalRecord& record) { read(record); }),
-      damage_(journal_damage(path, journal_.health())) {}
+    : journal_(path, [this](const JournalRecord& record) { read(record); }) {}
 
 void MissionJournal::read(const JournalRecord& record) {
   if (record.kind == kPathPose) {

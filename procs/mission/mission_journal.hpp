@@ -46,7 +46,7 @@ class MissionJournal {
   [[nodiscard]] const std::optional<std::string>& home_unknown() const { return home_unknown_; }
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
-  [[nodiscard]] const std::string& damage() const { return damage_; }
+  [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
 
   /// Returns when the phase is on disk.
   void append(const MissionPhase& phase);
@@ -66,7 +66,6 @@ class MissionJournal {
   std::optional<int> newest_local_map_;
   std::optional<std::string> home_unknown_;
   Journal journal_;
-  std::string damage_;
 };
 
 /// The last phase in a journal that may be in use, which is not changed.

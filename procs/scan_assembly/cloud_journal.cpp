@@ -50,7 +50,7 @@ const Cloud* CloudBuffer::find_missing(const CloudRequest& request, std::int64_t
 }
 
 CloudJournal::CloudJournal(const std::filesystem::path& path)
-    : journal_(path, CloudReader(restored_)), damage_(journal_damage(path, journal_.health())) {
+    : journal_(path, CloudReader(restored_)) {
   clouds_ = restored_.size();
   for (const Cloud& cloud : restored_) unacknowledged_utime_.push_back(cloud.utime);
 }

@@ -55,7 +55,7 @@ class CloudJournal {
   std::vector<Cloud> take_restored() { return std::exchange(restored_, {}); }
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
-  [[nodiscard]] const std::string& damage() const { return damage_; }
+  [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
 
   /// Returns when the scan is on disk. Throws std::runtime_error if that fails.
   void store(const Cloud& cloud);
@@ -67,7 +67,6 @@ class CloudJournal {
  private:
   std::vector<Cloud> restored_;
   Journal journal_;
-  std::string damage_;
   std::size_t clouds_ = 0;                          ///< number of clouds in the file
   std::vector<std::int64_t> unacknowledged_utime_;  ///< Cloud::utime
 };

@@ -47,8 +47,7 @@ AnchoredOdom odom_of(const OdomRecord& record) {
 }  // namespace
 
 VolumeJournal::VolumeJournal(const std::filesystem::path& path)
-    : journal_(path, [this](const JournalRecord& record) { read(record); }),
-      damage_(journal_damage(path, journal_.health())) {
+    : journal_(path, [this](const JournalRecord& record) { read(record); }) {
   written_times_ = restored_.scan_utimes.size();
   written_odom_ = restored_.odom;
   for (const StoredVolume& volume : restored_.volumes) {

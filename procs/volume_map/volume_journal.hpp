@@ -25,7 +25,7 @@ class VolumeJournal {
   StoredVolumes take_restored() { return std::move(restored_); }
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
-  [[nodiscard]] const std::string& damage() const { return damage_; }
+  [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
 
   /// Appends what is new, and synchronizes with the disk.
   void store(const VolumeMap& map);
@@ -49,7 +49,6 @@ class VolumeJournal {
   std::size_t written_times_ = 0;  ///< number of scan times
   std::optional<AnchoredOdom> written_odom_;
   Journal journal_;
-  std::string damage_;
 };
 
 }  // namespace adit

@@ -15,6 +15,7 @@ kStandstillEndS=18
 kArrivalEndS=43
 kFast=4           # times real time
 kMeasured=2       # where times are measured: the simulator must not run ahead of the stages
+kAheadMaxS=0.1    # a lead of 0.2 s makes POSE nearly as old as the guard permits, however slow the machine is
 kCommandExpiry=0.25
 kPoseExpiry=0.25  # timeout of the guard
 
@@ -28,7 +29,7 @@ drive() {
     names+=",${stage##*/adit-}"
   done
   "$one_goal" "$kGoalM" & processes+=($!)
-  "$sim" "$here/bent_tunnel.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
+  "$sim" "$here/bent_tunnel.yaml" --config "$2" --speed "$3" --for "$4" --ahead-max-s "$kAheadMaxS" ${5:+--fault "$5"} \
     --wait-for "$names" --record "$1"
   result=$?
   kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null

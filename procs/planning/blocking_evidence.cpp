@@ -95,9 +95,12 @@ class BlockingMask {
     const TerrainMap& terrain = context_.terrain;
     for (int row = 0; row < terrain.cells.rows(); ++row) {
       for (int column = 0; column < terrain.cells.columns(); ++column) {
-        const TerrainCell& cell = terrain.cells.at({column, row});
+        const std::size_t i = context_.layers.index(column, row);
+        if (!marked_[i]) continue;
+        const std::uint32_t leaning_from = context_.layers.leaning_from[i];
+        const TerrainCell& cell = terrain.cells[leaning_from == 0 ? i : leaning_from - 1];
         const auto reason = lethal_reason(cell, context_.vehicle, context_.limits);
-        if (!reason || !marked_[context_.layers.index(column, row)]) continue;
+        if (!reason) continue;
         found.push_back({terrain.T_odom_level * terrain.centre(column, row), *reason,
                          height_of(cell, *reason)});
       }

@@ -10,7 +10,7 @@
 #include "common/grid/grid2.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
-#include "procs/terrain/ground_trend.hpp"
+#include "common/grid/ground_trend.hpp"
 
 namespace adit {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "procs/terrain/ground_trend.hpp"
+#include "common/grid/ground_trend.hpp"
 
 namespace adit {
 namespace {

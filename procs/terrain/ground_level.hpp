@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/types/terrain_map.hpp"
-#include "procs/terrain/ground_trend.hpp"
+#include "common/grid/ground_trend.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {

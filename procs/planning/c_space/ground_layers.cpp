@@ -7,6 +7,7 @@
 
 #include "common/grid/distance_transform.hpp"
 #include "procs/planning/c_space/footprint.hpp"
+#include "procs/planning/c_space/leaning_obstacles.hpp"
 #include "procs/planning/c_space/unobserved_ground.hpp"
 
 namespace adit {
@@ -78,6 +79,34 @@ void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_memb
   }
 }
 
+/// Marks the cells over which the obstacle of a cell leans, up to its contact height.
+void mark_leaning(GroundLayers& layers, const TerrainMap& terrain, const Eigen::Vector2i& at,
+                  const Eigen::Vector2d& displacement_m) {
+  const std::size_t from = terrain.cells.index(at);
+  const int steps = static_cast<int>(std::ceil(2.0 * displacement_m.norm() / terrain.cell_m));
+  for (int step = 1; step <= steps; ++step) {
+    const Eigen::Vector2i over = terrain.cell_at(terrain.centre(at.x(), at.y()) +
+                                                 displacement_m * step / std::max(steps, 1));
+    if (!terrain.cells.contains(over) || layers.under_body.at(over) != 0) continue;
+    layers.under_body.at(over) = 1;
+    layers.leaning_from.at(over) = static_cast<std::uint32_t>(from + 1);
+  }
+}
+
+void mark_leaning(GroundLayers& layers, const TerrainMap& terrain, const Vehicle& vehicle,
+                  const GroundLimits& limits) {
+  const LeaningObstacles leaning(terrain);
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      const TerrainCell& cell = terrain.cells.at({column, row});
+      const auto reason = lethal_reason(cell, vehicle, limits);
+      if (!reason || !blocks_body(*reason)) continue;
+      mark_leaning(layers, terrain, {column, row},
+                   leaning.displacement_m(column, row, contact_height_m(cell, *reason)));
+    }
+  }
+}
+
 /// Clears the cells under the robot: it stands there, so they are traversable.
 void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
                      const BodyRectangle& footprint) {
@@ -87,6 +116,7 @@ void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose
       if (!footprint.contains(T_body_level * terrain.centre(column, row))) continue;
       const std::size_t i = layers.index(column, row);
       layers.under_body[i] = layers.under_wheels[i] = layers.unknown[i] = 0;
+      layers.leaning_from[i] = 0;
     }
   }
 }
@@ -130,6 +160,10 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
   return std::nullopt;
 }
 
+double contact_height_m(const TerrainCell& cell, Reason reason) {
+  return reason == Reason::kRoof ? cell.clearance_m : cell.coefficient_m;
+}
+
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
   GroundLayers layers(terrain.cells.columns(), terrain.cells.rows(), terrain.cell_m);
@@ -151,6 +185,7 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
           static_cast<std::uint8_t>(std::lround(kRoughnessMax * std::min(rough, 1.0)));
     }
   }
+  mark_leaning(layers, terrain, vehicle, limits);
   dilate(layers.under_wheels, terrain, is_drop, 1, 3);
   dilate(layers.unknown, terrain, is_shadow, 0, 2);
   clear_footprint(layers, terrain, T_level_body, footprint);

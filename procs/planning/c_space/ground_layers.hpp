@@ -51,13 +51,17 @@ struct GroundLayers {
         under_body(columns, rows),
         under_wheels(columns, rows),
         unknown(columns, rows),
-        roughness(columns, rows) {}
+        roughness(columns, rows),
+        leaning_from(columns, rows) {}
 
   double cell_m;
-  CellLayer under_body;           ///< 1: lethal under any part of the vehicle
-  CellLayer under_wheels;         ///< 1: lethal under the wheels
-  CellLayer unknown;              ///< 1: unobserved ground
-  CellLayer roughness;            ///< 0 (even) to 255 (at the limit)
+  CellLayer under_body;    ///< 1: lethal under any part of the vehicle
+  CellLayer under_wheels;  ///< 1: lethal under the wheels
+  CellLayer unknown;       ///< 1: unobserved ground
+  CellLayer roughness;     ///< 0 (even) to 255 (at the limit)
+  /// Where an obstacle leans over the cell (LeaningObstacles): one more than the index of the cell
+  /// in which it stands, otherwise 0.
+  Grid2<std::uint32_t> leaning_from;
   Grid2<float> body_distance_m;   ///< to the nearest cell of `under_body` [m]
   Grid2<float> wheel_distance_m;  ///< to the nearest cell of `under_wheels` [m]
 
@@ -73,6 +77,10 @@ struct GroundLayers {
 /// ground in the blind zone of its lasers is assumed to be like the ground under it.
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits);
+
+/// Height above the ground up to which an obstacle of a cell can touch the body: of a wall its top,
+/// of a roof its underside [m].
+double contact_height_m(const TerrainCell& cell, BlockingCell::Reason reason);
 
 /// Why a cell is lethal to the vehicle or to a wheel on it; nothing where it is traversable.
 std::optional<BlockingCell::Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehicle,

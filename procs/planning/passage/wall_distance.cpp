@@ -9,6 +9,7 @@
 
 #include "common/grid/distance_transform.hpp"
 #include "procs/planning/c_space/footprint.hpp"
+#include "procs/planning/c_space/leaning_obstacles.hpp"
 
 namespace adit {
 namespace {
@@ -89,6 +90,8 @@ std::uint16_t blocked_parts(const TerrainMap& terrain, const GroundLayers& layer
   const std::size_t i = layers.index(at.x(), at.y());
   const bool lethal = layers.under_body[i] != 0 || layers.under_wheels[i] != 0;
   if (!lethal && layers.unknown[i] == 0) return 0;
+  const bool is_below_leaning = layers.leaning_from[i] != 0;  // blocked in part, by its parts
+  if (is_below_leaning && layers.under_wheels[i] == 0 && layers.unknown[i] == 0) return 0;
   const TerrainCell& cell = terrain.cells.at(at);
   const auto reason = lethal_reason(cell, vehicle, limits);
   if (lethal && reason && is_by_height(*reason)) {
@@ -111,15 +114,32 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
                               CellParts::kSide * terrain.cells.rows());
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
+  const auto block = [&](const Eigen::Vector2d& p_level) {
+    const Eigen::Vector2i at = cell_of(p_level - p_level_corner_, part_m_);
+    if (blocked.contains(at) && !footprint.contains(T_body_level * p_level)) blocked.at(at) = 1;
+  };
+  const LeaningObstacles leaning(terrain);
+  const auto displacement_of = [&](const TerrainCell& cell, const Eigen::Vector2i& at) {
+    const auto reason = lethal_reason(cell, vehicle, limits);
+    const bool by_height = reason == Reason::kBelly || reason == Reason::kRoof;
+    const double height_m = by_height ? contact_height_m(cell, *reason) : 0.0;
+    return leaning.displacement_m(at.x(), at.y(), height_m);
+  };
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::uint16_t parts = blocked_parts(terrain, layers, {column, row}, vehicle, limits);
-      for (int part = 0; parts != 0 && part < CellParts::kCount; ++part) {
+      if (parts == 0) continue;
+      const Eigen::Vector2d displacement_m =
+          displacement_of(terrain.cells.at({column, row}), {column, row});
+      for (int part = 0; part < CellParts::kCount; ++part) {
         if ((parts & (1U << static_cast<unsigned>(part))) == 0) continue;
         const Eigen::Vector2i at(CellParts::kSide * column + part % CellParts::kSide,
                                  CellParts::kSide * row + part / CellParts::kSide);
         const Eigen::Vector2d p = p_level_corner_ + centre_of(at, part_m_);
-        if (!footprint.contains(T_body_level * p)) blocked.at(at) = 1;
+        const int steps = static_cast<int>(displacement_m.norm() / part_m_);
+        for (int step = 0; step <= steps; ++step) {
+          block(p + displacement_m * step / std::max(steps, 1));
+        }
       }
     }
   }

@@ -59,7 +59,7 @@ HeightPlaneFit observed_ground(const TerrainMap& map, const Pose2& T_level_body,
 
 }  // namespace
 
-DrivenGround::DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::Place>& places,
+DrivenGround::DrivenGround(const TerrainMap& map, const std::vector<DrivenPath::Place>& places,
                            const Vehicle& vehicle)
     : vehicle_(vehicle) {
   for (const DrivenPath::Place& place : places) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "common/types/terrain_map.hpp"
@@ -20,7 +19,7 @@ class DrivenGround {
  public:
   /// `map` has the observed and recalled heights. Places in odom, oldest first; the last one is on
   /// the level of the map.
-  DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::Place>& places,
+  DrivenGround(const TerrainMap& map, const std::vector<DrivenPath::Place>& places,
                const Vehicle& vehicle);
 
   /// Fills unknown cells that carried the wheels as ground without obstacles, unless `changed` is

@@ -2,25 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
 
 /// The traversed path of the body in odom, sampled, as far back as odom is accurate enough.
+///
+/// Where the robot moves to and fro it stays near the same ground however far it drives. Places are
+/// therefore related by the shortest path over driven ground: along the traversed path, and across
+/// where it meets itself. It meets itself where two places are near to each other in plan and that
+/// shortest path is no longer than a vehicle needs to pass above itself; others may lie on another
+/// level.
 class DrivenPath {
  public:
   struct Place {
     Pose2 T_odom_body;
     double distance_travelled_m;  ///< driven up to it [m]
     std::int64_t utime;
+    std::optional<double> met_at_m = {};  ///< `distance_travelled_m` of the place that it met
   };
 
-  DrivenPath(double path_length_max_m, double speed_max_m_s)
-      : path_length_max_m_(path_length_max_m), speed_max_m_s_(speed_max_m_s) {}
+  struct Limits {
+    double distance_max_m;     ///< driven since a place; then odom has drifted too far
+    double path_length_max_m;  ///< shortest path over driven ground; beyond may be another level
+    double speed_max_m_s;
+  };
+
+  explicit DrivenPath(const Limits& limits) : limits_(limits) {}
 
   /// Adds a pose. Returns false if the body cannot have driven that far in the time: a new odom
   /// frame has begun, and the path is reset until `anchor`.
@@ -33,16 +47,18 @@ class DrivenPath {
 
   /// Total distance travelled [m], without the noise at standstill.
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
-  /// Oldest first.
-  [[nodiscard]] const std::deque<Place>& places() const { return places_; }
+  /// The places on the same level as the newest, which is the last one; oldest first.
+  [[nodiscard]] std::vector<Place> same_level() const;
 
  private:
   [[nodiscard]] bool can_follow(std::int64_t utime, const Pose2& T_odom_body) const;
+  [[nodiscard]] std::vector<double> lengths_to_newest() const;
+  [[nodiscard]] std::size_t index_of(double distance_travelled_m) const;
+  void find_meeting();
 
-  double path_length_max_m_;
-  double speed_max_m_s_;
+  Limits limits_;
   double distance_travelled_m_ = 0.0;
-  std::deque<Place> places_;
+  std::deque<Place> places_;    ///< oldest first, ascending in distance
   std::deque<Place> previous_;  ///< places in the previous odom frame
   struct Reading {
     std::int64_t utime;

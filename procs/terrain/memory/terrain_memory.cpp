@@ -131,7 +131,9 @@ bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float o
 }  // namespace
 
 TerrainMemory::TerrainMemory(const TerrainParams& params)
-    : params_(params), path_(params.memory.path_length_max_m, params.vehicle.speed_max_m_s) {}
+    : params_(params),
+      path_({params.memory.distance_max_m, params.memory.path_length_max_m,
+             params.vehicle.speed_max_m_s}) {}
 
 void TerrainMemory::add(std::int64_t utime, const Pose2& T_odom_body) {
   if (!path_.add(utime, T_odom_body)) previous_ = std::exchange(maps_, {});
@@ -188,18 +190,20 @@ const RecallResult& TerrainMemory::recall(TerrainMap& map) {
   if (params_.memory.maps_max == 0) return recall_result_;
   add(map.utime, map.T_odom_level);
   RememberedMap single_scan(map, path_.distance_travelled_m());
-  gather_all(map);
+  const std::vector<DrivenPath::Place> same_level = path_.same_level();
+  gather_all(map, same_level);
   merge(map, single_scan);
-  DrivenGround(map, path_.places(), params_.vehicle).fill_driven(map, changed_, observed_at_m_);
+  DrivenGround(map, same_level, params_.vehicle).fill_driven(map, changed_, observed_at_m_);
   close_narrow_gaps(map, changed_, obstacle_height_m(params_.vehicle));
   maps_.push_front(std::move(single_scan));
   while (maps_.size() > static_cast<std::size_t>(params_.memory.maps_max)) maps_.pop_back();
   return recall_result_;
 }
 
-void TerrainMemory::gather_all(const TerrainMap& map) {
+void TerrainMemory::gather_all(const TerrainMap& map,
+                               const std::vector<DrivenPath::Place>& same_level) {
   while (!maps_.empty() && maps_.back().distance_travelled_m() <
-                               path_.distance_travelled_m() - params_.memory.path_length_max_m) {
+                               path_.distance_travelled_m() - params_.memory.distance_max_m) {
     maps_.pop_back();
   }
   from_.assign(map.cells.size(), RecallResult::kCurrent);
@@ -207,6 +211,10 @@ void TerrainMemory::gather_all(const TerrainMap& map) {
   std::uint8_t which = 0;
   for (const RememberedMap& before : maps_) {
     ++which;
+    if (!std::ranges::binary_search(same_level, before.distance_travelled_m(), {},
+                                    &DrivenPath::Place::distance_travelled_m)) {
+      continue;
+    }
     const auto plane = align_heights(map, before, params_);
     ++(plane ? recall_result_.used : recall_result_.rejected);
     if (plane) gather(map, before, *plane, which);

@@ -25,8 +25,9 @@ struct RecallResult {
 
 /// Earlier scans and the traversed path, in odom. The lasers are at the ends of the vehicle and
 /// cannot observe the ground beside and directly in front of it; earlier scans did, from farther
-/// away. Each scan is stored by itself, so that no error is passed on from map to map. Bounded by
-/// the path length since the scan and by number; empty after a restart.
+/// away. Each scan is stored by itself, so that no error is passed on from map to map. Scans taken
+/// on the same level count (DrivenPath), as far back as odom is accurate enough; bounded by number,
+/// and empty after a restart.
 class TerrainMemory {
  public:
   explicit TerrainMemory(const TerrainParams& params);
@@ -48,7 +49,7 @@ class TerrainMemory {
   [[nodiscard]] std::size_t maps() const { return maps_.size(); }
 
  private:
-  void gather_all(const TerrainMap& map);
+  void gather_all(const TerrainMap& map, const std::vector<DrivenPath::Place>& same_level);
   void gather(const TerrainMap& map, const RememberedMap& before, const HeightPlane& plane,
               std::uint8_t which);
   void merge(TerrainMap& map, RememberedMap& single_scan);

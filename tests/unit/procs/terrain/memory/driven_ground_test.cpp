@@ -4,47 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "procs/terrain/memory/driven_path.hpp"
 #include "tests/unit/procs/terrain/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
-
-TEST(DrivenPath, CountsTheDistanceWithoutNoise) {
-  DrivenPath path(15.0, 0.5);
-  std::int64_t utime = 1'600'000'000'000'000;
-  for (int i = 0; i < 400; ++i) {
-    EXPECT_TRUE(path.add(utime += 25'000, {0.02 * (i % 2), 0.0, 0.005 * (i % 3)}));
-  }
-  EXPECT_EQ(path.distance_travelled_m(), 0.0);
-  for (int i = 0; i < 400; ++i) EXPECT_TRUE(path.add(utime += 125'000, {0.05 * i, 0.0, 0.0}));
-  EXPECT_NEAR(path.distance_travelled_m(), 20.0, 0.2);  // one step, and the start
-  EXPECT_GE(path.places().front().distance_travelled_m, path.distance_travelled_m() - 15.0);
-  EXPECT_LE(path.places().size(), 151U);
-}
-
-TEST(DrivenPath, IsResetByAJumpOfOdom) {
-  DrivenPath path(15.0, 0.5);
-  EXPECT_TRUE(path.add(1'600'000'000'000'000, {}));
-  EXPECT_FALSE(path.add(1'600'000'000'100'000, {3.0, 0.0, 0.0}));
-  EXPECT_EQ(path.places().size(), 1U);
-  EXPECT_FALSE(path.add(1'600'000'000'200'000, {3.0, 0.0, 1.5}));
-  EXPECT_TRUE(path.add(1'600'000'010'000'000, {6.0, 0.0, 1.5}));  // ten seconds without poses
-}
-
-TEST(DrivenPath, IsResetByANewOdomFrame) {
-  constexpr std::int64_t kOdomUtime = 1'600'000'001'000'000;
-  DrivenPath path(15.0, 0.5);
-  for (int i = 0; i < 20; ++i) path.add(kOdomUtime - 1'000'000 + 50'000 * i, {0.12 * i, 0.0, 0.0});
-  EXPECT_TRUE(path.add(kOdomUtime, {2.28, 0.2, 0.0}));  // no jump
-  ASSERT_EQ(path.places().size(), 21U);
-  EXPECT_TRUE(path.reset(kOdomUtime));
-  ASSERT_EQ(path.places().size(), 1U);  // the first one in the new odom frame
-  EXPECT_FALSE(path.reset(kOdomUtime));
-  path.anchor({0.0, 0.2, 0.0});
-  ASSERT_EQ(path.places().size(), 21U);
-  EXPECT_EQ(path.places().front().T_odom_body, (Pose2{0.0, 0.2, 0.0}));
-}
 
 TEST(DrivenGround, FillsTheTracksOfTheWheelsOnly) {
   ScanningVehicle vehicle({-5.0, 0.0, 0.0});

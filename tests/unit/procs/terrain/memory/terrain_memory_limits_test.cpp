@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cases in which memory must not be used, and its bounds.
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -16,15 +18,39 @@ const Eigen::AlignedBox2d kBeside(Eigen::Vector2d(-2.0, 0.8), Eigen::Vector2d(1.
 
 bool is_seen(const TerrainCell& cell) { return cell.ground == Ground::kObserved; }
 
-TEST(TerrainMemoryLimits, OldScansAreDiscarded) {
-  for (const double detour_m : {3.0, 6.0}) {
+TEST(TerrainMemoryLimits, ScansFromAfarAreDiscarded) {
+  for (const double farther_m : {0.0, 10.0}) {
+    ScanningVehicle vehicle({-6.0 - farther_m, 0.0, 0.0});
+    vehicle.scan(add_tunnel);
+    vehicle.drive_to(kHere);
+    vehicle.scan(add_tunnel);
+    EXPECT_EQ(vehicle.memory().recall_result().used, farther_m < 1.0 ? 1 : 0) << farther_m;
+  }
+}
+
+/// Driving to and fro takes the robot over 15 m of path, yet it is still on the same level.
+TEST(TerrainMemoryLimits, ToAndFroRemembersUntilOdomHasDrifted) {
+  for (const double detour_m : {3.0, 6.0, 12.0, 18.0}) {
     ScanningVehicle vehicle(kFirst);
     vehicle.scan(add_tunnel);
     vehicle.drive_to({detour_m, 0.0, 0.0});
-    vehicle.drive_to(kHere);  // 12 m or 18 m after the scan
+    vehicle.drive_to(kHere);  // 12 m to 42 m after the scan
     const TerrainMap map = vehicle.scan(add_tunnel);
-    EXPECT_EQ(share_of(map, kBeside, is_seen), detour_m < 4.5 ? 1.0 : 0.0) << detour_m;
+    EXPECT_EQ(share_of(map, kBeside, is_seen), detour_m < 17.0 ? 1.0 : 0.0) << detour_m;
   }
+}
+
+/// A circle of 20 m ends where it began in plan, and may have led to another level.
+TEST(TerrainMemoryLimits, AFullCircleMayLeadToAnotherLevel) {
+  ScanningVehicle vehicle(kHere);
+  vehicle.scan(add_tunnel);
+  const double radius_m = 20.0 / (2.0 * std::numbers::pi);
+  for (int i = 1; i <= 72; ++i) {
+    const double turned = 2.0 * std::numbers::pi * i / 72.0;
+    vehicle.drive_to({radius_m * std::sin(turned), radius_m * (1.0 - std::cos(turned)), turned});
+  }
+  vehicle.scan(add_tunnel);
+  EXPECT_EQ(vehicle.memory().recall_result().used, 0);
 }
 
 TEST(TerrainMemoryLimits, LimitsTheNumberOfMaps) {

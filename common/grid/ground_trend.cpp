@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/terrain/ground_trend.hpp"
+#include "common/grid/ground_trend.hpp"
 
 #include <algorithm>
 #include <cmath>

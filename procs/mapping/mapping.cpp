@@ -82,6 +82,7 @@ Mapping::Mapping(const MappingParams& params)
       builder_(builder_params(params)),
       association_(params.association),
       heights_(params.heights),
+      clouds_(params.clouds),
       contradictions_(params.matching, kContradiction) {}
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
@@ -130,6 +131,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
                                       const ScanMatch& match) {
   update_odom(match);
   auto map = builder_.add(channel, scan, match);
+  if (new_cloud_) place_cloud();
   if (map) return add_local_map(std::move(*map));
   const std::vector<LocalScan>& scans = builder_.current().scans;
   if (scans.empty()) return std::nullopt;
@@ -142,6 +144,21 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
     localise_at_rest();
   }
   return std::nullopt;
+}
+
+void Mapping::add(const Cloud& cloud) {
+  if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
+  new_cloud_ = cloud;
+  builder_.end_at_3d_scan();
+}
+
+/// A cloud of the last odom frame has no place in the current local map.
+void Mapping::place_cloud() {
+  const Cloud cloud = *std::exchange(new_cloud_, std::nullopt);
+  const LocalMap& current = builder_.current();
+  if (current.scans.empty() || !odom_epoch_utime_ || cloud.utime < *odom_epoch_utime_) return;
+  clouds_.add(cloud, current.id, between(current.T_odom_local, cloud.T_odom_level),
+              cloud.z_odom_m - current.z_odom_m);
 }
 
 /// The pose of a body that rests near home may depend on the wheels over two local maps, although
@@ -235,9 +252,27 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
 std::vector<Association> Mapping::associate(const LocalMap& newest) {
   std::vector<Association> decided =
       association_.decide(loop_closures(newest.id, association_.trial(), false), newest.end_utime);
+  const std::vector<Association> by_clouds =
+      association_.decide(cloud_loop_closures(newest.id), newest.end_utime);
+  decided.insert(decided.end(), by_clouds.begin(), by_clouds.end());
   const std::vector<Association> revised = association_.revise(*this, newest.end_utime);
   decided.insert(decided.end(), revised.begin(), revised.end());
   return decided;
+}
+
+/// The 3D scans of a local map, matched with those of the same session.
+std::vector<LoopClosure> Mapping::cloud_loop_closures(int map) {
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
+  std::vector<PlacedLocalMap> placed;
+  int first = 0;
+  for (int i = 0; i <= map; ++i) {
+    placed.push_back({poses[static_cast<std::size_t>(i)], heights_.height_m(i)});
+    if (maps_[static_cast<std::size_t>(i)].session !=
+        maps_[static_cast<std::size_t>(map)].session) {
+      first = i + 1;
+    }
+  }
+  return clouds_.loop_closures(map, first, placed);
 }
 
 /// Whether the newest local map may be discarded: it is matched to as many older maps as are stored
@@ -247,7 +282,10 @@ std::vector<Association> Mapping::associate(const LocalMap& newest) {
 bool Mapping::is_redundant(const MapUpdate& update) const {
   const LocalMap& next = builder_.current();
   if (next.session != update.map.session || next.id != update.map.id + 1) return false;
-  const std::vector<Association>& decided = update.associations;
+  std::vector<Association> decided = update.associations;
+  std::erase_if(decided, [&](const Association& a) {  // of 3D scans
+    return is_neighbour(a.loop_closure.alternatives.front().older_map, a.loop_closure.newer_map);
+  });
   const bool found_first = !decided.empty() && decided.front().chosen != Association::kNone;
   const auto found = std::ranges::count_if(
       decided, [](const Association& a) { return a.chosen != Association::kNone; });
@@ -280,6 +318,7 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
   walls_.pop_back();
   extents_.pop_back();
   builder_.replace_last_map(T_last_here, update.map);
+  clouds_.discard(update.map.id);
   update_heights();
   --revision_;
   update.stored = false;
@@ -323,8 +362,13 @@ void Mapping::append_map(LocalMap map) {
 }
 
 void Mapping::update_heights() {
-  heights_.update(maps_, walls_,
-                  constraints_in_force(association_.problem(), association_.hypothesis()));
+  std::vector<PoseConstraint> loop_closures =
+      constraints_in_force(association_.problem(), association_.hypothesis());
+  // Between neighbours there are those of 3D scans only, and the ground is that of the chain.
+  std::erase_if(loop_closures, [&](const PoseConstraint& loop_closure) {
+    return is_neighbour(loop_closure.from, loop_closure.to);
+  });
+  heights_.update(maps_, walls_, loop_closures);
 }
 
 void Mapping::update_contradictions() {

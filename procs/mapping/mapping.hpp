@@ -16,10 +16,12 @@
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
+#include "common/types/cloud.hpp"
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 #include "procs/mapping/local_map_builder.hpp"
+#include "procs/mapping/loop_closure/cloud_matching.hpp"
 #include "procs/mapping/loop_closure/contradiction_monitor.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
@@ -35,6 +37,7 @@ struct MappingParams {
   LocalWallsParams walls;
   LoopClosureCandidatesParams candidates;
   MapMatchingParams matching;
+  CloudMatchingParams clouds;
   LazyAssociationParams association;
   MapHeightsParams heights;
   bool carried = false;  ///< true: the body may be anywhere after a restart of odom; false: it has
@@ -53,6 +56,7 @@ struct MappingParams {
     v("walls", walls);
     v("candidates", candidates);
     v("matching", matching);
+    v("clouds", clouds);
     v("association", association);
     v("heights", heights);
     v("carried", carried);
@@ -104,6 +108,9 @@ class Mapping : private Evidence {
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { builder_.add(reading); }
 
+  /// Adds a 3D scan of the robot at rest, to be matched with others (CloudMatching).
+  void add(const Cloud& cloud);
+
   /// The clock of all sensors was set: times so far cannot be compared with those to come.
   void restart_time();
 
@@ -132,6 +139,8 @@ class Mapping : private Evidence {
   void localise_at_rest();
   [[nodiscard]] LocalMap map_at_body() const;
   std::vector<Association> associate(const LocalMap& newest);
+  [[nodiscard]] std::vector<LoopClosure> cloud_loop_closures(int map);
+  void place_cloud();
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);
@@ -167,6 +176,8 @@ class Mapping : private Evidence {
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
   MapHeights heights_;
+  CloudMatching clouds_;
+  std::optional<Cloud> new_cloud_;  ///< until the next scan shows in which local map it was taken
   ContradictionMonitor contradictions_;
   std::int64_t revision_ = 0;
   enum class Odom {

@@ -48,6 +48,10 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
   subscribe_measured<scan_match_t>(bus, clocks_, channels::kScanMatch,
                                    Delivery::queued(kScansWaiting),
                                    [this](const ScanMatch& match) { on_match(match); });
+  subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(CloudFragment::kFragmentsMax),
+                     [this](const CloudFragment& fragment) {
+                       if (const auto cloud = clouds_.add(fragment)) mapping_.add(*cloud);
+                     });
   subscribe<map_request_t>(bus, channels::kMapRequest, Delivery::queued(10),
                            [this](const MapRequest&) {
                              resender_.request(mapping_.local_maps().size());

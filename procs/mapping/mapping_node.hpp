@@ -12,6 +12,7 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/sensor_clocks.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/map_resender.hpp"
@@ -33,7 +34,8 @@ struct MappingNodeParams : MappingParams {
 };
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); SCAN_MATCH (scan_match_t), one for each scan;
-///      MAP_REQUEST (map_request_t), WHEEL_ODOMETRY (wheel_odometry_t), if there are wheels.
+///      MAP_REQUEST (map_request_t); WHEEL_ODOMETRY (wheel_odometry_t), if there are wheels; CLOUD
+///      (cloud_t), if there are 3D scans.
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
 ///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
 ///      (map_correction_t), which is repeated each second with the present uncertainty;
@@ -70,6 +72,7 @@ class MappingNode {
   Params params_;
   Mapping mapping_;
   SensorClocks clocks_{[this] { restart_time(); }};
+  CloudReassembler clouds_;
   MapResender resender_;
   std::deque<LocalMapFragment> resend_queue_;  ///< fragments to resend
   std::optional<std::vector<MapContradiction>> published_contradictions_;

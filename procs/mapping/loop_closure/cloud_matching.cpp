@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/cloud_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "common/geometry/attitude.hpp"
+#include "procs/mapping/association/odometry_chain.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kUnconstrainedSd = 10.0;  // [m, rad] of a direction that the match leaves open
+constexpr double kLikelihoodMax = 50.0;
+
+/// Of (x, y, θ), where z and the rotations about x and y are those of the prior within its
+/// information (Schur complement).
+Eigen::Matrix3d planar_information(const Matrix6d& information, const Matrix6d& prior) {
+  constexpr int kPlanar[] = {0, 1, 5};
+  constexpr int kOther[] = {2, 3, 4};
+  Eigen::Matrix3d planar, other, mixed;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      planar(i, k) = information(kPlanar[i], kPlanar[k]);
+      mixed(i, k) = information(kPlanar[i], kOther[k]);
+      other(i, k) = information(kOther[i], kOther[k]) + prior(kOther[i], kOther[k]);
+    }
+  }
+  const Eigen::Matrix3d reduced = planar - mixed * other.ldlt().solve(mixed.transpose());
+  return 0.5 * (reduced + reduced.transpose()) +
+         Eigen::Matrix3d::Identity() / (kUnconstrainedSd * kUnconstrainedSd);
+}
+
+double heading_of(const Eigen::Matrix3d& R) { return std::atan2(R(1, 0), R(0, 0)); }
+
+}  // namespace
+
+void CloudMatching::add(const Cloud& cloud, int map, const Pose2& T_local_level, double z_local_m) {
+  if (params_.stored_max == 0) return;
+  scans_.push_back({map, T_local_level, z_local_m, RegistrationCloud(cloud, params_.registration)});
+  while (scans_.size() > static_cast<std::size_t>(params_.stored_max)) scans_.pop_front();
+}
+
+void CloudMatching::discard(int map) {
+  std::erase_if(scans_, [&](const Scan& scan) { return scan.map == map; });
+  for (Scan& scan : scans_) {
+    if (scan.map > map) --scan.map;
+  }
+}
+
+std::vector<LoopClosure> CloudMatching::loop_closures(
+    int map, int first, std::span<const PlacedLocalMap> placed) const {
+  const auto place_of = [&](const Scan& scan) -> const PlacedLocalMap& {
+    return placed[static_cast<std::size_t>(scan.map)];
+  };
+  struct Pair {
+    double distance_m;
+    const Scan* newer;
+    const Scan* older;
+    Pose2 T_older_newer;
+    double rise_m;
+  };
+  std::vector<LoopClosure> found;
+  for (const Scan& newer : scans_) {
+    if (newer.map != map) continue;
+    std::vector<Pair> pairs;
+    const Pose2 T_map_newer = place_of(newer).T_map_local * newer.T_local_level;
+    for (const Scan& older : scans_) {
+      if (older.map >= map || older.map < first) continue;
+      const Pose2 T_older_newer =
+          between(place_of(older).T_map_local * older.T_local_level, T_map_newer);
+      const double distance_m = T_older_newer.translation().norm();
+      if (distance_m > params_.distance_max_m) continue;
+      const double rise_m =
+          place_of(newer).z_m + newer.z_local_m - place_of(older).z_m - older.z_local_m;
+      pairs.push_back({distance_m, &newer, &older, T_older_newer, rise_m});
+    }
+    std::ranges::stable_sort(pairs, {}, &Pair::distance_m);
+    if (pairs.size() > static_cast<std::size_t>(params_.matched_max)) {
+      pairs.resize(static_cast<std::size_t>(params_.matched_max));
+    }
+    for (const Pair& pair : pairs) {
+      auto matched = match(*pair.newer, *pair.older, pair.T_older_newer, pair.rise_m);
+      if (!matched) continue;
+      LoopClosure loop_closure;
+      loop_closure.newer_map = map;
+      loop_closure.alternatives.push_back(*matched);
+      found.push_back(std::move(loop_closure));
+    }
+  }
+  return found;
+}
+
+std::optional<LoopClosureAlternative> CloudMatching::match(const Scan& newer, const Scan& older,
+                                                           const Pose2& T_older_newer,
+                                                           double rise_m) const {
+  CloudPrior prior;
+  prior.T_target_source = in_space(T_older_newer, rise_m, Attitude{});
+  const double sd_m =
+      params_.prior_sd_m + params_.prior_sd_per_m * T_older_newer.translation().norm();
+  Vector6d sd;
+  sd << sd_m, sd_m, params_.height_sd_m, params_.level_sd_rad, params_.level_sd_rad,
+      params_.prior_sd_rad;
+  prior.information = sd.cwiseAbs2().cwiseInverse().asDiagonal();
+  const CloudRegistration matched =
+      register_clouds(newer.surfaces, older.surfaces, prior, params_.registration);
+  if (!matched.accepted) return std::nullopt;
+  const Pose2 T_levels{matched.T_target_source.translation().x(),
+                       matched.T_target_source.translation().y(),
+                       heading_of(matched.T_target_source.linear())};
+  const auto placed = [&](const Scan& scan) {
+    const double variance = params_.place_m_per_sqrt_m * params_.place_m_per_sqrt_m *
+                            scan.T_local_level.translation().norm();
+    return Eigen::Vector3d(variance, variance, 0.0).asDiagonal().toDenseMatrix();
+  };
+  const UncertainPose T_older_level{older.T_local_level, placed(older)};
+  const UncertainPose T_level_newer{newer.T_local_level.inverse(), placed(newer)};
+  const UncertainPose between_levels{
+      T_levels, planar_information(matched.information, prior.information).inverse()};
+  const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;
+  LoopClosureAlternative alternative;
+  alternative.older_map = older.map;
+  alternative.T_older_newer = between_maps.T_from_to;
+  alternative.information = between_maps.covariance.inverse();
+  alternative.log_likelihood =
+      std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement);
+  return alternative;
+}
+
+}  // namespace adit

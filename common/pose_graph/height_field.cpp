@@ -27,7 +27,7 @@ Row row_of(const HeightConstraint& constraint, int nodes) {
   Row row;
   if (constraint.from > 0) row.coefficients.emplace_back(constraint.from - 1, -1.0);
   if (constraint.to > 0) row.coefficients.emplace_back(constraint.to - 1, 1.0);
-  // A body that seems to pitch down by e too much seems to descend by e times the distance.
+  // A body that seems to pitch up by e too much seems to climb by e times the distance.
   for (const auto& [session, forward_m] : constraint.travels) {
     if (forward_m != 0.0) row.coefficients.emplace_back(nodes - 1 + session, forward_m);
   }
@@ -48,7 +48,7 @@ HeightField::HeightField(HeightField&&) noexcept = default;
 HeightField& HeightField::operator=(HeightField&&) noexcept = default;
 
 HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constraints,
-                         double pitch_sd_rad)
+                         const std::function<PitchPrior(int session)>& pitch_prior)
     : nodes_(std::max(nodes, 1)) {
   int sessions = 0;
   for (const HeightConstraint& constraint : constraints) {
@@ -60,9 +60,15 @@ HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constra
   if (unknowns == 0) return;
   Triplets triplets;
   Eigen::VectorXd b = Eigen::VectorXd::Zero(unknowns);
-  for (int i = 0; i < unknowns; ++i) {
-    const double sd = i < nodes_ - 1 ? kUnconstrainedM : pitch_sd_rad;
-    triplets.emplace_back(i, i, 1.0 / (sd * sd));
+  for (int i = 0; i < nodes_ - 1; ++i) {
+    triplets.emplace_back(i, i, 1.0 / (kUnconstrainedM * kUnconstrainedM));
+  }
+  for (int session = 0; session < sessions; ++session) {
+    const int i = nodes_ - 1 + session;
+    const PitchPrior prior = pitch_prior(session);
+    const double information = 1.0 / (prior.sd_rad * prior.sd_rad);
+    triplets.emplace_back(i, i, information);
+    b[i] += information * prior.error_rad;
   }
   for (const HeightConstraint& constraint : constraints) {
     const Row row = row_of(constraint, nodes_);

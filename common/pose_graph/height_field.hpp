@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct HeightConstraint {
   std::array<Travel, 2> travels{};
 };
 
+/// What is known of the constant error of the pitch of a session from elsewhere [rad], positive if
+/// the body seems to climb.
+struct PitchPrior {
+  double error_rad = 0.0;
+  double sd_rad = 0.005;
+};
+
 /// Heights of the nodes of a pose graph: a linear Gaussian Markov random field on the same graph,
 /// solved exactly. Unknown are the height of each node except node 0, which is 0, and for each
 /// session a constant error of the pitch, as that of the accelerometer's bias and of the mount.
@@ -32,9 +40,10 @@ class HeightField {
  public:
   /// An empty field of a single node.
   HeightField();
-  /// `pitch_sd_rad`: prior standard deviation of the pitch errors. Nodes without a constraint have
+  /// `pitch_prior`: of the pitch error of a session. Nodes without a constraint have
   /// height 0 with a standard deviation of 1 km.
-  HeightField(int nodes, const std::vector<HeightConstraint>& constraints, double pitch_sd_rad);
+  HeightField(int nodes, const std::vector<HeightConstraint>& constraints,
+              const std::function<PitchPrior(int session)>& pitch_prior);
   ~HeightField();
   HeightField(HeightField&&) noexcept;
   HeightField& operator=(HeightField&&) noexcept;

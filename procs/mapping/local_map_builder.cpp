@@ -37,7 +37,7 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
   }
   T_odom_body_ = match.T_odom_body;
   if (match.status == ScanMatch::Status::kLost) return finished;
-  const bool due = first_map_due(scan.utime) || is_at_3d_scan();
+  const bool due = first_map_due(scan.utime);
   if (!due && !moved_enough(channel, T_odom_body_)) return finished;
   store_scan(channel, scan, match);
   if (!due && distance_travelled_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad)
@@ -73,11 +73,6 @@ void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last,
 bool LocalMapBuilder::first_map_due(std::int64_t utime) const {
   return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
          seconds(utime - map_.utime) >= params_.first_s;
-}
-
-bool LocalMapBuilder::is_at_3d_scan() {
-  const bool requested = std::exchange(end_requested_, false);
-  return requested && !map_.scans.empty() && distance_travelled_m_ >= params_.scan_3d_length_m;
 }
 
 bool LocalMapBuilder::moved_enough(const std::string& channel, const Pose2& T_odom_body) const {

@@ -18,7 +18,6 @@ namespace adit {
 
 struct LocalMapBuilderParams {
   double length_m = 5.0;             ///< path length of a local map (paper, section 2.1)
-  double scan_3d_length_m = 1.0;     ///< at a 3D scan it is finished if it is as long as this
   double turn_max_rad = 6.3;         ///< accumulated turn after which it is finished, however short
   double keyframe_distance_m = 0.1;  ///< a scan is stored after this motion of its laser
   double keyframe_angle_rad = 0.1;   ///< or this turn
@@ -28,7 +27,6 @@ struct LocalMapBuilderParams {
   template <class V>
   void visit(V& v) {
     v("length_m", length_m, within(0.1, 1000.0));
-    v("scan_3d_length_m", scan_3d_length_m, within(0.0, 1000.0));
     v("turn_max_rad", turn_max_rad, within(0.1, 1000.0));
     v("keyframe_distance_m", keyframe_distance_m, at_least(0.0));
     v("keyframe_angle_rad", keyframe_angle_rad, at_least(0.0));
@@ -58,10 +56,6 @@ class LocalMapBuilder {
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
                               const ScanMatch& match);
 
-  /// A 3D scan was taken here: the next scan finishes the current local map, unless it is short.
-  /// What is known of the place of a 3D scan then holds for the origin of a local map.
-  void end_at_3d_scan() { end_requested_ = true; }
-
   /// Finishes the current local map, if it holds a scan. What follows is a new session.
   std::optional<LocalMap> finish();
 
@@ -77,7 +71,6 @@ class LocalMapBuilder {
 
  private:
   [[nodiscard]] bool first_map_due(std::int64_t utime) const;
-  [[nodiscard]] bool is_at_3d_scan();
   [[nodiscard]] bool moved_enough(const std::string& channel, const Pose2& T_odom_body) const;
   void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
@@ -94,7 +87,6 @@ class LocalMapBuilder {
   double distance_travelled_m_ = 0.0;
   double forward_m_ = 0.0;  ///< travelled forwards in the current local map
   double turn_rad_ = 0.0;
-  bool end_requested_ = false;
   bool continues_ = false;  ///< the current local map is the first of a later session
 };
 

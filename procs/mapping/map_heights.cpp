@@ -85,7 +85,11 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<Loc
          sd_m,
          {{{from_session, ground.reference_forward_m}, {to_session, -ground.path_forward_m}}}});
   }
-  field_ = HeightField(static_cast<int>(maps.size()), constraints, params_.pitch_sd_rad);
+  const auto pitch_prior = [&](int session) {
+    const auto known = pitch_priors_.find(session);
+    return known == pitch_priors_.end() ? PitchPrior{0.0, params_.pitch_sd_rad} : known->second;
+  };
+  field_ = HeightField(static_cast<int>(maps.size()), constraints, pitch_prior);
 }
 
 bool MapHeights::same_level(int older, int newer, const Pose2& T_older_newer,

@@ -47,6 +47,9 @@ class MapHeights {
  public:
   explicit MapHeights(const MapHeightsParams& params) : params_(params) {}
 
+  /// What the 3D scans of a session tell of its constant pitch error; otherwise `pitch_sd_rad`.
+  void set_pitch_prior(int session, const PitchPrior& prior) { pitch_priors_[session] = prior; }
+
   /// Solves for the heights, with these loop closures in force.
   void update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
               const std::vector<PoseConstraint>& loop_closures);
@@ -72,6 +75,7 @@ class MapHeights {
 
   MapHeightsParams params_;
   HeightField field_;
+  std::map<int, PitchPrior> pitch_priors_;  ///< by session
   struct Offset {
     Pose2 T_from_to;
     GroundOffset ground;

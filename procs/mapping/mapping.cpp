@@ -149,7 +149,6 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
 void Mapping::add(const Cloud& cloud) {
   if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
   new_cloud_ = cloud;
-  builder_.end_at_3d_scan();
 }
 
 /// A cloud of the last odom frame has no place in the current local map.
@@ -252,16 +251,16 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
 std::vector<Association> Mapping::associate(const LocalMap& newest) {
   std::vector<Association> decided =
       association_.decide(loop_closures(newest.id, association_.trial(), false), newest.end_utime);
-  const std::vector<Association> by_clouds =
-      association_.decide(cloud_loop_closures(newest.id), newest.end_utime);
+  const std::vector<Association> by_clouds = associate_clouds(newest.id, newest.end_utime);
   decided.insert(decided.end(), by_clouds.begin(), by_clouds.end());
   const std::vector<Association> revised = association_.revise(*this, newest.end_utime);
   decided.insert(decided.end(), revised.begin(), revised.end());
   return decided;
 }
 
-/// The 3D scans of a local map, matched with those of the same session.
-std::vector<LoopClosure> Mapping::cloud_loop_closures(int map) {
+/// Matches the 3D scans of a local map with those of the same session, decides the loop closures,
+/// and learns the constant error of the attitude from those that are accepted.
+std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   std::vector<PlacedLocalMap> placed;
   int first = 0;
@@ -272,7 +271,25 @@ std::vector<LoopClosure> Mapping::cloud_loop_closures(int map) {
       first = i + 1;
     }
   }
-  return clouds_.loop_closures(map, first, placed);
+  const std::vector<CloudMatch> matches = clouds_.matches(map, first, placed);
+  if (matches.empty()) return {};
+  std::vector<LoopClosure> loop_closures;
+  for (const CloudMatch& match : matches) loop_closures.push_back(match.loop_closure);
+  std::vector<Association> decided = association_.decide(std::move(loop_closures), utime);
+  const int session = maps_.back().session;
+  LevelError& error =
+      level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;
+  for (const CloudMatch& match : matches) {
+    const LoopClosureAlternative& measured = match.loop_closure.alternatives.front();
+    const bool accepted = std::ranges::any_of(decided, [&](const Association& a) {
+      return a.chosen != Association::kNone && a.loop_closure.newer_map == map &&
+             a.loop_closure.alternatives.front() == measured;
+    });
+    if (accepted) error.add(match.turn_rad, match.tilt_rad, match.tilt_covariance);
+  }
+  // Pitch is positive about y, where the body descends.
+  heights_.set_pitch_prior(session, {-error.error_rad().y(), std::sqrt(error.covariance()(1, 1))});
+  return decided;
 }
 
 /// Whether the newest local map may be discarded: it is matched to as many older maps as are stored

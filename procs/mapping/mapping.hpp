@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
+#include "procs/mapping/level_error.hpp"
 #include "procs/mapping/local_map_builder.hpp"
 #include "procs/mapping/loop_closure/cloud_matching.hpp"
 #include "procs/mapping/loop_closure/contradiction_monitor.hpp"
@@ -139,7 +141,7 @@ class Mapping : private Evidence {
   void localise_at_rest();
   [[nodiscard]] LocalMap map_at_body() const;
   std::vector<Association> associate(const LocalMap& newest);
-  [[nodiscard]] std::vector<LoopClosure> cloud_loop_closures(int map);
+  std::vector<Association> associate_clouds(int map, std::int64_t utime);
   void place_cloud();
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
@@ -177,6 +179,7 @@ class Mapping : private Evidence {
   std::vector<MapExtent> extents_;
   MapHeights heights_;
   CloudMatching clouds_;
+  std::map<int, LevelError> level_errors_;  ///< by session
   std::optional<Cloud> new_cloud_;  ///< until the next scan shows in which local map it was taken
   ContradictionMonitor contradictions_;
   std::int64_t revision_ = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "common/geometry/attitude.hpp"
 #include "procs/mapping/association/odometry_chain.hpp"
@@ -52,8 +53,8 @@ void CloudMatching::discard(int map) {
   }
 }
 
-std::vector<LoopClosure> CloudMatching::loop_closures(
-    int map, int first, std::span<const PlacedLocalMap> placed) const {
+std::vector<CloudMatch> CloudMatching::matches(int map, int first,
+                                               std::span<const PlacedLocalMap> placed) const {
   const auto place_of = [&](const Scan& scan) -> const PlacedLocalMap& {
     return placed[static_cast<std::size_t>(scan.map)];
   };
@@ -64,7 +65,7 @@ std::vector<LoopClosure> CloudMatching::loop_closures(
     Pose2 T_older_newer;
     double rise_m;
   };
-  std::vector<LoopClosure> found;
+  std::vector<CloudMatch> found;
   for (const Scan& newer : scans_) {
     if (newer.map != map) continue;
     std::vector<Pair> pairs;
@@ -85,19 +86,26 @@ std::vector<LoopClosure> CloudMatching::loop_closures(
     }
     for (const Pair& pair : pairs) {
       auto matched = match(*pair.newer, *pair.older, pair.T_older_newer, pair.rise_m);
-      if (!matched) continue;
-      LoopClosure loop_closure;
-      loop_closure.newer_map = map;
-      loop_closure.alternatives.push_back(*matched);
-      found.push_back(std::move(loop_closure));
+      if (matched) found.push_back(std::move(*matched));
     }
   }
   return found;
 }
 
-std::optional<LoopClosureAlternative> CloudMatching::match(const Scan& newer, const Scan& older,
-                                                           const Pose2& T_older_newer,
-                                                           double rise_m) const {
+/// Covariance of what a match is not used for, in the frame of the newer scan.
+Eigen::Matrix3d CloudMatching::beside_displacement(const Pose2& T_older_newer) const {
+  const Eigen::Vector2d along =
+      Eigen::Rotation2Dd(-T_older_newer.theta) * T_older_newer.translation().stableNormalized();
+  const Eigen::Vector2d across(-along.y(), along.x());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() =
+      params_.across_sd_m * params_.across_sd_m * across * across.transpose();
+  covariance(2, 2) = params_.turn_sd_rad * params_.turn_sd_rad;
+  return covariance;
+}
+
+std::optional<CloudMatch> CloudMatching::match(const Scan& newer, const Scan& older,
+                                               const Pose2& T_older_newer, double rise_m) const {
   CloudPrior prior;
   prior.T_target_source = in_space(T_older_newer, rise_m, Attitude{});
   const double sd_m =
@@ -119,8 +127,9 @@ std::optional<LoopClosureAlternative> CloudMatching::match(const Scan& newer, co
   };
   const UncertainPose T_older_level{older.T_local_level, placed(older)};
   const UncertainPose T_level_newer{newer.T_local_level.inverse(), placed(newer)};
-  const UncertainPose between_levels{
-      T_levels, planar_information(matched.information, prior.information).inverse()};
+  Eigen::Matrix3d covariance = planar_information(matched.information, prior.information).inverse();
+  covariance += beside_displacement(T_levels);
+  const UncertainPose between_levels{T_levels, covariance};
   const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;
   LoopClosureAlternative alternative;
   alternative.older_map = older.map;
@@ -128,7 +137,19 @@ std::optional<LoopClosureAlternative> CloudMatching::match(const Scan& newer, co
   alternative.information = between_maps.covariance.inverse();
   alternative.log_likelihood =
       std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement);
-  return alternative;
+  CloudMatch result;
+  result.loop_closure.newer_map = newer.map;
+  result.loop_closure.alternatives.push_back(alternative);
+  result.turn_rad = T_levels.theta;
+  const Eigen::AngleAxisd tilt(
+      Eigen::AngleAxisd(-T_levels.theta, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+      matched.T_target_source.linear());
+  result.tilt_rad = tilt.angle() * tilt.axis().head<2>();
+  const Matrix6d covariance_6d = (matched.information + prior.information).inverse();
+  result.tilt_covariance = covariance_6d.block<2, 2>(3, 3) + 2.0 * params_.attitude_sd_rad *
+                                                                 params_.attitude_sd_rad *
+                                                                 Eigen::Matrix2d::Identity();
+  return result;
 }
 
 }  // namespace adit

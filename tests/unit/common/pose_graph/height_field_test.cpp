@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kPitchSd = 0.005;
 
+PitchPrior unknown_pitch(int /*session*/) { return {0.0, kPitchSd}; }
+
 /// A chain of climbs; node i + 1 is `climb_m` above node i.
 std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, double forward_m) {
   std::vector<HeightConstraint> constraints;
@@ -22,7 +24,7 @@ std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, doub
 }
 
 TEST(HeightField, AddsUpClimbs) {
-  const HeightField field(5, chain(5, 0.25, 0.01, 0.0), kPitchSd);
+  const HeightField field(5, chain(5, 0.25, 0.01, 0.0), unknown_pitch);
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(field.height_m(i), 0.25 * i, 1e-6);
     EXPECT_NEAR(field.variances_to(0)[i], 1e-4 * i, 1e-9);
@@ -31,7 +33,7 @@ TEST(HeightField, AddsUpClimbs) {
 }
 
 TEST(HeightField, ErrorOfThePitchAddsUpWithTheDistance) {
-  const HeightField field(3, chain(3, 0.0, 0.01, 50.0), kPitchSd);
+  const HeightField field(3, chain(3, 0.0, 0.01, 50.0), unknown_pitch);
   EXPECT_NEAR(field.variances_to(0)[2], 2e-4 + 0.25, 1e-6);  // (100 m · 5 mrad)²
 }
 
@@ -40,13 +42,22 @@ TEST(HeightField, ReturnToTheStartRevealsTheErrorOfThePitch) {
   auto constraints = chain(9, 0.0, 1e-3, 10.0);
   for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
   constraints.push_back({0, 8, 0.0, 1e-3, {}});  // the same ground
-  const HeightField field(9, constraints, kPitchSd);
+  const HeightField field(9, constraints, unknown_pitch);
   EXPECT_NEAR(field.pitch_error_rad(0), kError, 1e-5);
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-3);
 }
 
+TEST(HeightField, CorrectsByWhatIsKnownOfThePitch) {
+  constexpr double kError = 0.003;
+  auto constraints = chain(9, 0.0, 1e-3, 10.0);
+  for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
+  const HeightField field(9, constraints, [](int) { return PitchPrior{kError, 1e-4}; });
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-6);
+  EXPECT_NEAR(field.variance(0, 8), 8e-6 + 80.0 * 80.0 * 1e-8, 1e-9);
+}
+
 TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
-  const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, kPitchSd);
+  const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, unknown_pitch);
   EXPECT_NEAR(field.height_m(1), 0.5, 1e-6);
   EXPECT_NEAR(field.variances_to(0)[2], 1e6, 1.0);
   EXPECT_EQ(HeightField().nodes(), 1);
@@ -66,7 +77,7 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
   }
   constraints.push_back({2, 9, 0.1, 0.03, {{{0, 3.0}, {1, -2.0}}}});
   constraints.push_back({0, 11, -0.2, 0.03, {}});
-  const HeightField field(kNodes, constraints, kPitchSd);
+  const HeightField field(kNodes, constraints, unknown_pitch);
 
   constexpr int kUnknowns = kNodes - 1 + 2;
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);

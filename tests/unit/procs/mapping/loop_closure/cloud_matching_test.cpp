@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/cloud_matching.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "tests/support/worlds/rock_sweep.hpp"
+
+namespace adit {
+namespace {
+
+using test::pose;
+using test::Rock;
+using test::rough_tunnel;
+using test::smooth_tunnel;
+using test::sweep;
+
+constexpr double kApartM = 4.0;
+
+/// A 3D scan in each of two local maps along x, the second of which seems to be farther than it is.
+struct TwoScans {
+  CloudMatching matching;
+  std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{kApartM + 0.15, 0.0, 0.0}, 0.0}};
+
+  explicit TwoScans(const Rock& rock, const CloudMatchingParams& params = {}) : matching(params) {
+    matching.add(sweep(rock, Eigen::Isometry3d::Identity(), 1), 0, {}, 0.0);
+    matching.add(sweep(rock, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 1, {}, 0.0);
+  }
+  [[nodiscard]] std::vector<CloudMatch> matches(int first = 0) const {
+    return matching.matches(1, first, placed);
+  }
+};
+
+TEST(CloudMatching, FindsTheMotionAlongATunnelByItsBumps) {
+  const auto matches = TwoScans(rough_tunnel).matches();
+  ASSERT_EQ(matches.size(), 1U);
+  EXPECT_EQ(matches[0].loop_closure.newer_map, 1);
+  const LoopClosureAlternative& found = matches[0].loop_closure.alternatives.front();
+  EXPECT_EQ(found.older_map, 0);
+  EXPECT_NEAR(found.T_older_newer.x, kApartM, 0.03);
+  const Eigen::Matrix3d covariance = found.information.inverse();
+  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.07);
+  EXPECT_LT(std::abs(found.T_older_newer.x - kApartM), 3.0 * std::sqrt(covariance(0, 0)));
+}
+
+TEST(CloudMatching, LeavesASmoothTunnelToTheWheels) {
+  for (const CloudMatch& match : TwoScans(smooth_tunnel).matches()) {
+    const auto& information = match.loop_closure.alternatives.front().information;
+    EXPECT_GT(information.inverse()(0, 0), 1.0);
+  }
+}
+
+/// Across the displacement planar scans are more accurate.
+TEST(CloudMatching, IsNotSureAcrossAndOfTheTurn) {
+  const auto matches = TwoScans(rough_tunnel).matches();
+  ASSERT_EQ(matches.size(), 1U);
+  const CloudMatchingParams params;
+  const Eigen::Matrix3d covariance =
+      matches[0].loop_closure.alternatives.front().information.inverse();
+  EXPECT_GE(std::sqrt(covariance(1, 1)), params.across_sd_m);
+  EXPECT_GE(std::sqrt(covariance(2, 2)), params.turn_sd_rad);
+}
+
+/// The scans are taken somewhere in their local maps, turned and higher than the origin.
+TEST(CloudMatching, RelatesTheOriginsOfTheLocalMaps) {
+  const Pose2 T_local_first{1.0, 0.4, 0.6};
+  const Pose2 T_local_second{2.0, -0.3, -0.4};
+  CloudMatching matching{CloudMatchingParams{}};
+  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, T_local_first, 0.3);
+  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 1, T_local_second,
+               0.1);
+  const Pose2 T_first_second = T_local_first * Pose2{kApartM, 0.0, 0.0} * T_local_second.inverse();
+  const Pose2 T_map_first{5.0, 6.0, 1.0};
+  const std::vector<PlacedLocalMap> placed{{T_map_first, 2.0}, {T_map_first * T_first_second, 2.2}};
+  const auto matches = matching.matches(1, 0, placed);
+  ASSERT_EQ(matches.size(), 1U);
+  const Pose2 error =
+      between(T_first_second, matches[0].loop_closure.alternatives.front().T_older_newer);
+  EXPECT_LT(error.translation().norm(), 0.04);
+  EXPECT_LT(std::abs(error.theta), 0.01);
+}
+
+TEST(CloudMatching, ShowsTheTiltOfInclinedLevelFrames) {
+  const Eigen::Vector2d e(0.01, 0.006);  // of both, about their own axes
+  constexpr double kTurn = 0.4;
+  CloudMatching matching{CloudMatchingParams{}};
+  matching.add(sweep(rough_tunnel, pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 1), 0, {}, 0.0);
+  matching.add(
+      sweep(rough_tunnel,
+            pose(2.0, 0.0, 0.0, 0.0, 0.0, kTurn) * pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 2),
+      1, {}, 0.0);
+  const std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{2.0, 0.0, kTurn}, 0.0}};
+  const auto matches = matching.matches(1, 0, placed);
+  ASSERT_EQ(matches.size(), 1U);
+  const Eigen::Vector2d expected = -(e - Eigen::Rotation2Dd(-kTurn).toRotationMatrix() * e);
+  EXPECT_LT((matches[0].tilt_rad - expected).norm(), 0.003);
+  EXPECT_NEAR(matches[0].turn_rad, kTurn, 0.01);
+}
+
+TEST(CloudMatching, MatchesNeitherEarlierSessionsNorScansFarAway) {
+  EXPECT_TRUE(TwoScans(rough_tunnel).matches(1).empty());
+  CloudMatchingParams params;
+  params.distance_max_m = kApartM - 1.0;
+  EXPECT_TRUE(TwoScans(rough_tunnel, params).matches().empty());
+}
+
+TEST(CloudMatching, StoresALimitedNumberOfScans) {
+  CloudMatchingParams params;
+  params.stored_max = 1;
+  EXPECT_TRUE(TwoScans(rough_tunnel, params).matches().empty());
+  params.stored_max = 0;
+  EXPECT_TRUE(TwoScans(rough_tunnel, params).matches().empty());
+}
+
+TEST(CloudMatching, ADiscardedLocalMapTakesItsScansWithIt) {
+  TwoScans scans(rough_tunnel);
+  scans.matching.discard(0);  // the second local map has its id
+  EXPECT_TRUE(scans.matching.matches(0, 0, scans.placed).empty());
+  EXPECT_TRUE(scans.matching.matches(1, 0, scans.placed).empty());
+}
+
+}  // namespace
+}  // namespace adit

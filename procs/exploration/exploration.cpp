@@ -25,7 +25,7 @@ std::string incomplete_reason(const Frontier& frontier) {
 }  // namespace
 
 Exploration::Exploration(const ExplorationParams& params)
-    : params_(params), known_(params.known), register_(params.frontiers) {}
+    : params_(params), known_(params.known), register_(params.frontiers, params.vehicle.width_m) {}
 
 bool Exploration::add(const LocalMap& map) {
   if (map.id < 0) return false;

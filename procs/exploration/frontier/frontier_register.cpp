@@ -203,7 +203,7 @@ void FrontierRegister::set_state_by_access(std::size_t i, Access access,
         });
     return set(frontier, nearest->state, nearest->evidence, utime);
   }
-  if (frontier.width_m >= params_.wide_m) {
+  if (frontier.width_m >= wide_m_) {
     return set(
         frontier, FrontierState::kUnconfirmed,
         fmt::format("no known path to it is wide enough for the vehicle, though it is {:.1f} "

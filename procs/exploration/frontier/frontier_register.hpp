@@ -22,9 +22,10 @@ struct FrontierRegisterParams {
   /// Plans without a path, after which returns of level lasers alone do not close a frontier that
   /// the robot has not passed.
   int rejections = 2;
-  /// Width of an opening through which every vehicle fits. Level lasers may take rising ground or a
-  /// falling roof before it for walls, so it is not too narrow without other evidence.
-  double wide_m = 1.8;
+  /// Width of an opening, in widths of the vehicle, through which it fits without doubt. Level
+  /// lasers may take rising ground or a falling roof before it for walls, so it is not too narrow
+  /// without other evidence.
+  double wide_ratio = 1.5;
   int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
 
   template <class V>
@@ -34,7 +35,7 @@ struct FrontierRegisterParams {
     v("advance_m", advance_m, within(0.0, 100.0));
     v("closings", closings, at_least(1));
     v("rejections", rejections, at_least(1));
-    v("wide_m", wide_m, within(0.0, 100.0));
+    v("wide_ratio", wide_ratio, within(1.0, 100.0));
     v("stalls", stalls, at_least(1));
   }
 };
@@ -73,7 +74,8 @@ struct StoredFrontier {
 /// and no wall there was dismissed; otherwise the frontier is reopened.
 class FrontierRegister {
  public:
-  explicit FrontierRegister(const FrontierRegisterParams& params) : params_(params) {}
+  FrontierRegister(const FrontierRegisterParams& params, double vehicle_width_m)
+      : params_(params), wide_m_(params.wide_ratio * vehicle_width_m) {}
 
   /// A barrier and the state of frontiers behind it.
   struct BarrierEvidence {
@@ -155,6 +157,7 @@ class FrontierRegister {
                            const std::vector<BarrierEvidence>& barriers, std::int64_t utime);
 
   FrontierRegisterParams params_;
+  double wide_m_;  ///< an opening that is no narrower lets the vehicle pass
   std::vector<Frontier> frontiers_;
   std::vector<FrontierTrack> tracks_;  ///< by id
 

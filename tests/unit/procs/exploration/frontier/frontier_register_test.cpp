@@ -11,6 +11,8 @@
 namespace adit {
 namespace {
 
+constexpr double kVehicleWidthM = 1.2;
+
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 const Eigen::Vector2d kEnd{10.0, 0.0};
 
@@ -47,7 +49,7 @@ class ClosedFrontier : public testing::Test {
 
   KnownSpace space_{KnownSpaceParams{}};
   std::vector<Pose2> poses_;
-  FrontierRegister frontiers_{FrontierRegisterParams{}};
+  FrontierRegister frontiers_{FrontierRegisterParams{}, kVehicleWidthM};
   std::int64_t utime_ = kUtime;
 };
 
@@ -57,7 +59,7 @@ class RejectedFrontier : public ClosedFrontier {
   RejectedFrontier() {
     poses_.pop_back();
     space_ = KnownSpace{KnownSpaceParams{}};
-    frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+    frontiers_ = FrontierRegister{FrontierRegisterParams{}, kVehicleWidthM};
     poses_.clear();
     scan_from({4.0, 0.0, 0.0});
     update({{kEnd}});
@@ -123,7 +125,7 @@ TEST_F(RejectedFrontier, IsExploredAfterASingleRejection) {
 TEST_F(RejectedFrontier, IsUnconfirmedAfterARestart) {
   reject(2);
   const std::vector<StoredFrontier> stored = frontiers_.stored_frontiers();
-  frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+  frontiers_ = FrontierRegister{FrontierRegisterParams{}, kVehicleWidthM};
   frontiers_.restore(stored);
   scan_from({7.0, 0.0, 0.0});
   update({});
@@ -144,6 +146,16 @@ TEST_F(RejectedFrontier, IsTooNarrowOnlyIfItsOpeningIsNarrow) {
     end.access = Access::kReachable;
     update({end});
   }
+}
+
+TEST_F(RejectedFrontier, MayBeTooNarrowForAWiderVehicle) {
+  frontiers_ = FrontierRegister{FrontierRegisterParams{}, 2.0 * kVehicleWidthM};
+  DetectedFrontier end{kEnd};
+  end.width_m = 2.0;
+  update({end});
+  end.access = Access::kUnreachable;
+  update({end});
+  EXPECT_EQ(state(), FrontierState::kTooNarrow);
 }
 
 TEST_F(ClosedFrontier, IsExplored) {
@@ -207,7 +219,7 @@ TEST_F(ClosedFrontier, IsNotExploredPermanentlyOnceClosingsAreForgotten) {
 
 TEST_F(ClosedFrontier, ReopensAfterARestart) {
   const std::vector<StoredFrontier> stored_frontiers = frontiers_.stored_frontiers();
-  frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+  frontiers_ = FrontierRegister{FrontierRegisterParams{}, kVehicleWidthM};
   frontiers_.restore(stored_frontiers);
   scan_from({100.0, 0.0, 0.0});
   update({{kEnd}});

@@ -74,8 +74,8 @@ TEST(DrivenPath, StaysOnTheSameLevelToAndFro) {
   EXPECT_GT(oldest_m(driver.path), 27.0);
 }
 
-/// Out 18 m and back: the start is 36 m of path away, but each place on the way back meets the one
-/// on the way out beside it.
+/// Out 18 m and back: the start is 36 m of path away, but each place on the path back meets the one
+/// on the path out beside it.
 TEST(DrivenPath, ReturnsToTheLevelThatItLeft) {
   Driver driver;
   driver.straight_to(18.0, 0.0);

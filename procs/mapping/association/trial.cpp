@@ -41,6 +41,11 @@ Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first
   }
 }
 
+Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, MapField& map_field)
+    : problem_(problem), hypothesis_(std::move(hypothesis)), first_(0), map_field_(&map_field) {
+  map_field_->follow(problem_, hypothesis_);
+}
+
 std::vector<int> Trial::chosen_loop_closures() const {
   std::vector<int> chosen;
   for (std::size_t k = 0; k < hypothesis_.chosen.size(); ++k) {
@@ -75,7 +80,10 @@ bool Trial::has_fixed_end() const {
 Hypothesis Trial::hypothesis() const {
   Hypothesis hypothesis = hypothesis_;
   hypothesis.partially_optimized |= has_fixed_end();
-  if (field_) {
+  if (map_field_ != nullptr && map_field_->field().nodes() > 1) {
+    hypothesis.T_map_local = map_field_->poses();
+    hypothesis.objective = objective();
+  } else if (field_) {
     set_poses(field_->poses(), hypothesis);
     hypothesis.objective = objective();
   }
@@ -83,6 +91,8 @@ Hypothesis Trial::hypothesis() const {
 }
 
 double Trial::objective() const {
+  if (map_field_ != nullptr && map_field_->field().nodes() > 1)
+    return map_field_->field().objective();
   return field_ ? fixed_ + field_->objective() : hypothesis_.objective;
 }
 
@@ -137,6 +147,11 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
 }
 
 Eigen::Matrix3d Trial::covariance(int older, int map) {
+  if (map_field_ != nullptr) {
+    const std::vector<Pose2>& poses = map_field_->poses();
+    return in_frame_of_newer(map_field_->field().relative_covariance(older, map),
+                             between(poses[as_index(older)], poses[as_index(map)]));
+  }
   const auto node = [this](int m) { return std::max(0, m - (first_ > 0 ? first_ - 1 : 0)); };
   const std::vector<Pose2> nodes = field().poses();
   return in_frame_of_newer(field().relative_covariance(node(older), node(map)),
@@ -145,14 +160,30 @@ Eigen::Matrix3d Trial::covariance(int older, int map) {
 
 void Trial::accept(int loop_closure, int alternative) {
   const auto k = as_index(loop_closure);
-  field().add(
-      in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
+  if (map_field_ != nullptr) {
+    field_.reset();
+    map_field_->accept(problem_, loop_closure, alternative);
+  } else {
+    field().add(
+        in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
+  }
   hypothesis_.chosen[k] = alternative;
   relinearise();
 }
 
-/// Linearises at the mode until it hardly moves, which takes a factorisation for each step.
+/// Linearises at the mode until it hardly moves, which takes a factorisation for each step, or in a
+/// map field the elimination of what moved.
 void Trial::relinearise() {
+  if (map_field_ != nullptr) {
+    double turn = map_field_->largest_turn();
+    for (int step = 0; turn > kTurnMax; ++step) {
+      if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
+      map_field_->relinearise();
+      hypothesis_ = hypothesis();
+      turn = map_field_->largest_turn();
+    }
+    return;
+  }
   double turn = largest_turn(field().mode());
   for (int step = 0; turn > kTurnMax; ++step) {
     if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
@@ -178,9 +209,29 @@ void Trial::revoke(const std::vector<int>& loop_closures) {
   reoptimize();
 }
 
+/// Linearises at the mode until no map moves. False if it does not converge.
+bool Trial::settle() {
+  for (int step = 0; step < kFewSteps; ++step) {
+    if (map_field_->largest_turn() > kTurnFar) return false;
+    if (!map_field_->relinearise()) {
+      hypothesis_ = hypothesis();
+      return true;
+    }
+  }
+  return false;
+}
+
 void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_ = hypothesis();
   field_.reset();
+  if (map_field_ != nullptr && !from_scratch) {
+    map_field_->follow(problem_, hypothesis_);
+    if (settle()) {
+      hypothesis_.partially_optimized = false;
+      return;
+    }
+    hypothesis_ = hypothesis();
+  }
   PoseGraph graph = graph_of(problem_, hypothesis_, first_);
   OptimizeParams params;
   params.rotation_initialization = from_scratch;
@@ -189,6 +240,7 @@ void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_.objective = fixed_ + optimize(graph, params).objective;
   set_poses(graph.poses, hypothesis_);
   hypothesis_.partially_optimized &= first_ > 0;
+  if (map_field_ != nullptr) map_field_->follow(problem_, hypothesis_);
 }
 
 }  // namespace adit

@@ -10,6 +10,7 @@
 #include "common/pose_graph/gaussian_field.hpp"
 #include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/map_field.hpp"
 
 namespace adit {
 
@@ -22,6 +23,9 @@ class Trial {
   /// before `first` are held fixed, so that the cost depends on the size of the loop and not on
   /// that of the map.
   Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first = 0);
+  /// A trial of the complete map in `map_field`, which outlives this object and follows the
+  /// hypothesis, now and with each change: the cost depends on what differs.
+  Trial(const AssociationProblem& problem, Hypothesis hypothesis, MapField& map_field);
 
   /// The hypothesis with its current poses and objective; `cost` is set by the caller.
   [[nodiscard]] Hypothesis hypothesis() const;
@@ -42,11 +46,16 @@ class Trial {
   /// Increase of the objective by one more constraint: chi-square with three degrees of freedom if
   /// the constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
+    if (map_field_ != nullptr) return map_field_->field().objective_increase(constraint);
     return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
   }
   /// Covariance of the residual of one more constraint, if it is correct: of what is predicted and
   /// of what is measured.
   [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) {
+    if (map_field_ != nullptr) {
+      return map_field_->field().predicted_covariance(constraint) +
+             measured_by(constraint).covariance;
+    }
     return field().predicted_covariance(in_graph_from(constraint, hypothesis_, first_)) +
            measured_by(constraint).covariance;
   }
@@ -63,7 +72,7 @@ class Trial {
   /// frame of `map`. Maps held fixed have no relative uncertainty.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
-  /// The same for one map.
+  /// The same for one map; in a map field without those of the others.
   [[nodiscard]] Eigen::Matrix3d covariance(int older, int map);
 
   /// Chooses an alternative of an undecided loop closure.
@@ -85,12 +94,14 @@ class Trial {
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;
   void relinearise();
+  [[nodiscard]] bool settle();
 
   const AssociationProblem& problem_;
   Hypothesis hypothesis_;  ///< poses and objective after the last optimisation
   int first_;
   double fixed_ = 0.0;                  ///< part of the objective outside the field
   std::optional<GaussianField> field_;  ///< linearised at these poses; empty: not yet needed
+  MapField* map_field_ = nullptr;       ///< of the current hypothesis; answers what it can
 };
 
 }  // namespace adit

@@ -113,17 +113,19 @@ struct BayesTree::Ordering {
   std::map<int, int> position;              // of each block
 };
 
-bool BayesTree::update(bool keeps_covariances) {
-  if (keeps_covariances && !new_blocks_.empty()) {
+bool BayesTree::update(bool only_ends) {
+  if (only_ends && !new_blocks_.empty()) {
     // Blocks at the end of a chain would else hang one below the other.
     const int newest = new_blocks_.back();
     const int recent = std::min(kRecentMax, power_of_two_in(newest + 1));
     for (int block = std::max(0, newest - recent); block < newest; ++block) touch(block);
   }
-  if (!keeps_covariances && (!touched_.empty() || !new_terms_.empty())) ++version_;
+  if (!only_ends && (!touched_.empty() || !new_terms_.empty())) ++version_;
   cross_block_ = -1;
   std::vector<int> blocks = std::move(new_blocks_);
   std::vector<int> terms = std::move(new_terms_);
+  std::vector<int> ends = only_ends ? terms : std::vector<int>{};
+  std::ranges::sort(ends, {}, [&](int id) { return std::ranges::max(terms_[at(id)].blocks); });
   new_blocks_.clear();
   new_terms_.clear();
   const std::vector<int> orphans = detach(blocks, terms);
@@ -134,7 +136,11 @@ bool BayesTree::update(bool keeps_covariances) {
   for (auto clique = fresh.rbegin(); clique != fresh.rend(); ++clique) {
     if (!eliminate(cliques_[at(*clique)])) return false;
   }
-  solve(fresh);
+  if (only_ends) {
+    solve_ends(ends, fresh);
+  } else {
+    solve(fresh);
+  }
   return true;
 }
 
@@ -367,10 +373,30 @@ void BayesTree::solve(const std::vector<int>& fresh) {
       const Clique& below = cliques_[at(child)];
       if (below.x_separator.size() == 0 && !below.separator.empty()) continue;  // fresh itself
       const Eigen::VectorXd now = gather(below.separator);
-      if ((now - below.x_separator).cwiseAbs().maxCoeff() > kUnchanged) waiting.push_back(child);
+      if ((now - below.x_separator).cwiseAbs().maxCoeff() > unchanged_) waiting.push_back(child);
     }
   }
   sort_unique(moved_);
+}
+
+/// New blocks by their terms alone. What else was ordered again keeps its values, as these would
+/// change by rounding only, all of them where the newest blocks are far from where the terms hold
+/// the others.
+void BayesTree::solve_ends(const std::vector<int>& ends, const std::vector<int>& fresh) {
+  moved_.clear();
+  for (const int id : ends) {
+    const Term& term = terms_[at(id)];
+    const int block = std::ranges::max(term.blocks);
+    const Eigen::Index r =
+        row(term.blocks.back() == block ? static_cast<int>(term.blocks.size()) - 1 : 0);
+    Eigen::Map<Eigen::VectorXd> x(x_.data() + row(block), size_);
+    x.setZero();
+    const Eigen::VectorXd rest = term.b - term.H * gather(term.blocks);
+    x = term.H.block(r, r, size_, size_).llt().solve(rest.segment(r, size_));
+    if (!x.isZero(0.0)) moved_.push_back(block);
+  }
+  sort_unique(moved_);
+  for (const int c : fresh) cliques_[at(c)].x_separator = gather(cliques_[at(c)].separator);
 }
 
 void BayesTree::solve(Clique& clique) {

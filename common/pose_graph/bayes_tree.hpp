@@ -20,7 +20,7 @@ namespace adit {
 /// Changes take effect with `update`; queries before it are a bug. Deterministic.
 class BayesTree {
  public:
-  explicit BayesTree(int block_size) : size_(block_size) {}
+  BayesTree(int block_size, double unchanged) : size_(block_size), unchanged_(unchanged) {}
 
   struct Term {
     std::vector<int> blocks;
@@ -42,11 +42,11 @@ class BayesTree {
   void remove_term(int id);
 
   /// Eliminates what changed and solves for what moves by it: the unknowns of a clique keep their
-  /// values while those of its separator stay within `kUnchanged` of where they were solved.
-  /// `keeps_covariances`: all that was added are blocks, each with one term that determines it
-  /// relative to another one, so that nothing else is known better. False if the terms do not
-  /// determine all blocks; the tree then is unusable.
-  [[nodiscard]] bool update(bool keeps_covariances = false);
+  /// values while those of its separator stay within `unchanged` of where they were solved.
+  /// `only_ends`: all that was added are blocks, each with one term that determines it relative to
+  /// at most one older block, so that nothing else moves or is known better. False if the terms do
+  /// not determine all blocks; the tree then is unusable.
+  [[nodiscard]] bool update(bool only_ends = false);
 
   /// The minimising x of a block.
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> solution(int block) const {
@@ -67,8 +67,6 @@ class BayesTree {
   [[nodiscard]] int eliminated() const { return eliminated_; }
   /// Number of cliques on the longest path from a root.
   [[nodiscard]] int height() const;
-
-  static constexpr double kUnchanged = 1e-10;
 
  private:
   struct Clique {
@@ -105,6 +103,7 @@ class BayesTree {
   [[nodiscard]] bool eliminate(Clique& clique);
   void solve(const std::vector<int>& fresh);
   void solve(Clique& clique);
+  void solve_ends(const std::vector<int>& ends, const std::vector<int>& fresh);
   [[nodiscard]] Eigen::MatrixXd sub_covariance(const Clique& clique, const std::vector<int>& rows,
                                                const std::vector<int>& columns) const;
   [[nodiscard]] const Eigen::MatrixXd& joint_covariance(int clique) const;
@@ -113,6 +112,7 @@ class BayesTree {
   [[nodiscard]] Eigen::MatrixXd covariance_across(int a, int b) const;
 
   int size_;
+  double unchanged_;
   std::vector<Term> terms_;
   std::vector<int> free_terms_;
   std::vector<bool> is_last_;     // of each block

@@ -18,8 +18,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-IncrementalField::IncrementalField() = default;
-
 /// Node 0 is no block of the tree: node i is block i − 1.
 int IncrementalField::add_node(const Pose2& T_map_node) {
   if (!poses_.empty()) tree_.add_block();

@@ -18,7 +18,8 @@ namespace adit {
 /// Changes take effect with `update`. Node 0 is fixed in the map frame.
 class IncrementalField {
  public:
-  IncrementalField();
+  /// Poses keep their values where what they depend on changes by less than `unchanged` [m, rad].
+  explicit IncrementalField(double unchanged) : tree_(3, unchanged) {}
 
   /// Adds a node at this pose; returns its index.
   int add_node(const Pose2& T_map_node);
@@ -74,7 +75,7 @@ class IncrementalField {
   std::vector<std::vector<int>> constraints_of_;  // each node
   std::vector<int> stale_;                        // constraints to be linearised again
   double objective_at_linearisation_ = 0.0;
-  BayesTree tree_{3};
+  BayesTree tree_;
 };
 
 }  // namespace adit

@@ -7,18 +7,25 @@
 #include <utility>
 
 namespace adit {
+namespace {
+
+constexpr int kFirstSteps = 5;  // to the mode of a map that was restored
+
+}  // namespace
 
 void MapField::follow(const AssociationProblem& problem, const Hypothesis& hypothesis) {
   bool is_changed = false;
   const std::size_t before = poses_.size();
   for (std::size_t map = 0; map < before; ++map) {
-    if (hypothesis.T_map_local[map] == poses_[map]) continue;
-    field_.move(static_cast<int>(map), hypothesis.T_map_local[map]);
-    poses_[map] = hypothesis.T_map_local[map];
+    const Pose2& T_map_local = hypothesis.T_map_local[map];
+    if (T_map_local == followed_[map] || T_map_local == poses_[map]) continue;
+    field_.move(static_cast<int>(map), T_map_local);
+    poses_[map] = T_map_local;
     is_changed = true;
   }
   const bool is_new = before < 2;
   add_maps(problem, hypothesis);
+  followed_ = hypothesis.T_map_local;
   chosen_.resize(hypothesis.chosen.size());
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
     if (chosen_[k].alternative == hypothesis.chosen[k]) continue;
@@ -27,6 +34,7 @@ void MapField::follow(const AssociationProblem& problem, const Hypothesis& hypot
   }
   if (poses_.size() < 2) return;
   if (!relinearise()) update(!is_changed && !is_new);
+  for (int step = 0; is_new && step < kFirstSteps && relinearise();) ++step;
 }
 
 void MapField::add_maps(const AssociationProblem& problem, const Hypothesis& hypothesis) {
@@ -47,6 +55,7 @@ void MapField::truncate(int maps, std::size_t loop_closures) {
     if (!chain_.empty()) chain_.pop_back();
     field_.remove_newest_node();
     poses_.pop_back();
+    followed_.pop_back();
   }
   std::erase_if(displaced_, [&](int map) { return map >= maps; });
   if (poses_.size() > 1) update(false);

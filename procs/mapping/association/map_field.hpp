@@ -36,6 +36,8 @@ class MapField {
   /// A linearisation this near has errors of the second order, below 1e-6 m.
   static constexpr double kMovedM = 1e-3;
   static constexpr double kMovedRad = 1e-4;
+  /// A change of the maps on which others depend that does not move these [m, rad].
+  static constexpr double kUnchanged = 1e-7;
 
  private:
   void add_maps(const AssociationProblem& problem, const Hypothesis& hypothesis);
@@ -47,11 +49,12 @@ class MapField {
     int constraint = -1;  ///< in the field
   };
 
-  IncrementalField field_;
+  IncrementalField field_{kUnchanged};
   std::vector<int> chain_;      // of each map but the first: its constraint in the field
   std::vector<Chosen> chosen_;  // of each loop closure
   std::vector<Pose2> poses_;
-  std::vector<int> displaced_;  // maps whose mode is not zero
+  std::vector<Pose2> followed_;  // of the last hypothesis, which need not be at the mode
+  std::vector<int> displaced_;   // maps whose mode is not zero
 };
 
 }  // namespace adit

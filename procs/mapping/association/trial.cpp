@@ -32,6 +32,105 @@ Eigen::Matrix3d in_frame_of_newer(const Eigen::Matrix3d& covariance, const Pose2
   return R * covariance * R.transpose();
 }
 
+double position_sd(const Eigen::Matrix3d& covariance) {
+  return std::sqrt(std::max(0.0, covariance(0, 0) + covariance(1, 1)));
+}
+
+constexpr int kStretchMin = 8;       // maps whose covariances are computed one by one
+constexpr double kDriftBound = 1.5;  // of odometry, which is composed to first order
+
+/// Searches the maps that may be near the newest, by halving the path.
+class NearMapSearch {
+ public:
+  NearMapSearch(Trial& trial, const OdometryChain& odometry, const std::vector<Pose2>& poses,
+                int map, std::span<const double> reach_m, double sigmas)
+      : trial_(trial),
+        odometry_(odometry),
+        poses_(poses),
+        map_(map),
+        reach_m_(reach_m),
+        sigmas_(sigmas),
+        p_map_(poses[as_index(map)].translation()) {
+    for (int first = 0; first < map; first += kStretchMin) {
+      leaves_.push_back(extent_of(first, std::min(map, first + kStretchMin)));
+    }
+  }
+
+  std::vector<NearMap> run() {
+    visit(0, static_cast<int>(leaves_.size()));
+    return std::move(found_);
+  }
+
+ private:
+  struct Extent {
+    Eigen::AlignedBox2d origins;
+    double reach_m = 0.0;
+  };
+
+  [[nodiscard]] Extent extent_of(int first, int end) const {
+    Extent extent;
+    for (int i = first; i < end; ++i) {
+      extent.origins.extend(poses_[as_index(i)].translation());
+      extent.reach_m = std::max(extent.reach_m, reach_m_[as_index(i)]);
+    }
+    return extent;
+  }
+
+  [[nodiscard]] bool is_near(double distance_m, double reach_m, double sd_m) const {
+    return distance_m <= reach_m + reach_m_[as_index(map_)] + sigmas_ * sd_m;
+  }
+
+  /// Standard deviation of the position of the map in any map from `end` on to `middle` that the
+  /// odometry between these adds.
+  [[nodiscard]] double drift_m(int end, int middle) const {
+    const Eigen::Matrix3d covariance = odometry_.between(end, middle).covariance;
+    const double lever_m = (poses_[as_index(middle)].translation() - p_map_).norm();
+    return kDriftBound *
+           (position_sd(covariance) + lever_m * std::sqrt(std::max(0.0, covariance(2, 2))));
+  }
+
+  void visit(int first_leaf, int end_leaf) {
+    if (first_leaf >= end_leaf) return;
+    Extent extent;
+    for (int leaf = first_leaf; leaf < end_leaf; ++leaf) {
+      extent.origins.extend(leaves_[as_index(leaf)].origins);
+      extent.reach_m = std::max(extent.reach_m, leaves_[as_index(leaf)].reach_m);
+    }
+    const int first = first_leaf * kStretchMin;
+    const int end = std::min(map_, end_leaf * kStretchMin);
+    const double distance_m = extent.origins.exteriorDistance(p_map_);
+    if (!is_near(distance_m, extent.reach_m, 0.0)) {
+      const int middle = first + (end - first) / 2;
+      const double sd_m = position_sd(trial_.covariance(middle, map_)) +
+                          std::max(drift_m(first, middle), drift_m(end - 1, middle));
+      if (!is_near(distance_m, extent.reach_m, sd_m)) return;
+    }
+    if (end_leaf - first_leaf == 1) return visit_each(first, end);
+    const int half = first_leaf + (end_leaf - first_leaf) / 2;
+    visit(first_leaf, half);
+    visit(half, end_leaf);
+  }
+
+  void visit_each(int first, int end) {
+    for (int older = first; older < end; ++older) {
+      const Eigen::Matrix3d covariance = trial_.covariance(older, map_);
+      const double distance_m = (poses_[as_index(older)].translation() - p_map_).norm();
+      if (is_near(distance_m, reach_m_[as_index(older)], position_sd(covariance)))
+        found_.push_back({older, covariance});
+    }
+  }
+
+  Trial& trial_;
+  const OdometryChain& odometry_;
+  const std::vector<Pose2>& poses_;
+  int map_;
+  std::span<const double> reach_m_;
+  double sigmas_;
+  Eigen::Vector2d p_map_;
+  std::vector<Extent> leaves_;
+  std::vector<NearMap> found_;
+};
+
 }  // namespace
 
 Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first)
@@ -156,6 +255,18 @@ Eigen::Matrix3d Trial::covariance(int older, int map) {
   const std::vector<Pose2> nodes = field().poses();
   return in_frame_of_newer(field().relative_covariance(node(older), node(map)),
                            between(nodes[as_index(node(older))], nodes[as_index(node(map))]));
+}
+
+std::vector<NearMap> Trial::near_maps(int map, std::span<const double> reach_m, double sigmas) {
+  if (map == 0) return {};
+  if (map_field_ != nullptr) {
+    return NearMapSearch(*this, problem_.odometry, map_field_->poses(), map, reach_m, sigmas).run();
+  }
+  std::vector<NearMap> all;
+  for (const Eigen::Matrix3d& covariance : covariances_to(map)) {
+    all.push_back({static_cast<int>(all.size()), covariance});
+  }
+  return all;
 }
 
 void Trial::accept(int loop_closure, int alternative) {

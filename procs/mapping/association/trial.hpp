@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/pose_graph/gaussian_field.hpp"
@@ -13,6 +14,13 @@
 #include "procs/mapping/association/map_field.hpp"
 
 namespace adit {
+
+/// An older local map that may be near a newer one.
+struct NearMap {
+  int older = 0;
+  /// Of the pose of the newer map in it: of (x, y, θ) in the frame of the newer.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
 
 /// A hypothesis that is being modified. Evaluating an association costs the solution for a few
 /// columns of the factor, accepting one a rank update, revoking an optimisation; the field is
@@ -74,6 +82,14 @@ class Trial {
 
   /// The same for one map; in a map field without those of the others.
   [[nodiscard]] Eigen::Matrix3d covariance(int older, int map);
+
+  /// The maps before `map` of which something within `reach_m` of the origin, by map, may be within
+  /// the reach of `map`, in the gate of `sigmas` standard deviations of their relative position;
+  /// some others too. In a map field the cost depends on how many there are: a stretch of the path
+  /// is left out by the covariance of one of its maps and the odometry along it, which bounds that
+  /// of the others.
+  [[nodiscard]] std::vector<NearMap> near_maps(int map, std::span<const double> reach_m,
+                                               double sigmas);
 
   /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);

@@ -105,7 +105,7 @@ class GrowingGraph {
 
   int below(int n) { return static_cast<int>(random_() % static_cast<std::uint32_t>(n)); }
 
-  IncrementalField field;
+  IncrementalField field{1e-10};
   PoseGraph graph;
 
  private:
@@ -169,7 +169,7 @@ TEST(IncrementalField, EliminatesFewNodesForEachOfAChain) {
 }
 
 TEST(IncrementalField, RejectsAPoseThatIsFreeToMove) {
-  IncrementalField field;
+  IncrementalField field{1e-10};
   field.add_node({});
   field.add_node({});
   field.add_node({});

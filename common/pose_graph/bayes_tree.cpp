@@ -114,7 +114,7 @@ struct BayesTree::Ordering {
 };
 
 bool BayesTree::update(bool only_ends) {
-  if (only_ends && !new_blocks_.empty()) {
+  if (!new_blocks_.empty()) {
     // Blocks at the end of a chain would else hang one below the other.
     const int newest = new_blocks_.back();
     const int recent = std::min(kRecentMax, power_of_two_in(newest + 1));

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/pose_graph/height_field.hpp"
 
+#include <cstddef>
 #include <random>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -49,9 +51,9 @@ TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
   const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, kPitchSd);
   EXPECT_NEAR(field.height_m(1), 0.5, 1e-6);
   EXPECT_NEAR(field.variances_to(0)[2], 1e6, 1.0);
-  EXPECT_EQ(HeightField().nodes(), 1);
-  EXPECT_EQ(HeightField().height_m(0), 0.0);
-  EXPECT_EQ(HeightField().variances_to(0).size(), 1);
+  EXPECT_EQ(HeightField(kPitchSd).nodes(), 1);
+  EXPECT_EQ(HeightField(kPitchSd).height_m(0), 0.0);
+  EXPECT_EQ(HeightField(kPitchSd).variances_to(0).size(), 1);
 }
 
 /// Against the dense solution of the same least squares problem.
@@ -93,6 +95,47 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
   }
   EXPECT_NEAR(field.pitch_error_rad(0), solution[kNodes - 1], 1e-9);
   EXPECT_NEAR(field.pitch_error_rad(1), solution[kNodes], 1e-9);
+}
+
+TEST(HeightField, ThatChangedEqualsANewOne) {
+  constexpr int kNodes = 40;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  HeightField field(kPitchSd);
+  std::vector<HeightConstraint> climbs;
+  std::vector<int> ids;
+  const auto expect_equal = [&](const std::vector<HeightConstraint>& constraints) {
+    field.update();
+    const HeightField expected(field.nodes(), constraints, kPitchSd);
+    for (int i = 0; i < field.nodes(); ++i) {
+      EXPECT_NEAR(field.height_m(i), expected.height_m(i), 1e-6);
+      EXPECT_NEAR(field.variance(0, i), expected.variance(0, i), 1e-8);
+      EXPECT_NEAR(field.variance(i, field.nodes() / 2), expected.variance(i, field.nodes() / 2),
+                  1e-8);
+    }
+    EXPECT_NEAR(field.pitch_error_rad(1), expected.pitch_error_rad(1), 1e-6);
+  };
+  const auto add = [&](const HeightConstraint& constraint) {
+    climbs.push_back(constraint);
+    ids.push_back(field.add(constraint));
+  };
+  for (int i = 1; i < kNodes; ++i) {
+    field.add_node();
+    add({i - 1, i, 0.1 * normal(random), 0.02, {{{i < 30 ? 0 : 1, 5.0}}}});
+    if (i % 7 == 0) add({i / 2, i, 0.1 * normal(random), 0.03, {}});
+    expect_equal(climbs);
+  }
+  for (int removed = 0; removed < 15; ++removed) {  // the second session too
+    const int newest = field.nodes() - 1;
+    for (std::size_t k = ids.size(); k-- > 0;) {
+      if (climbs[k].to != newest) continue;
+      field.remove(ids[k]);
+      ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(k));
+      climbs.erase(climbs.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    field.remove_newest_node();
+    expect_equal(climbs);
+  }
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ class MapHeights {
   /// Adds the local maps that are new.
   void add_new(const std::vector<LocalMap>& maps);
   /// Solves for the heights, with these loop closures in force, at the cost of what differs from
-  /// the last time.
+  /// the last time. A local map does not change while it is there.
   void update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
               const std::vector<PoseConstraint>& loop_closures);
 

@@ -33,11 +33,11 @@ class MapField {
   /// The largest turn of a map by the mode that is not linearised yet [rad].
   [[nodiscard]] double largest_turn() const;
 
-  /// A linearisation this near has errors of the second order, below 1e-6 m.
+  /// A linearisation this near has errors of the second order; the optimum is found to 0.1 mm.
   static constexpr double kMovedM = 1e-3;
   static constexpr double kMovedRad = 1e-4;
   /// A change of the maps on which others depend that does not move these [m, rad].
-  static constexpr double kUnchanged = 1e-7;
+  static constexpr double kUnchanged = 1e-6;
 
  private:
   void add_maps(const AssociationProblem& problem, const Hypothesis& hypothesis);

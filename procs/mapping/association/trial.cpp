@@ -36,8 +36,15 @@ double position_sd(const Eigen::Matrix3d& covariance) {
   return std::sqrt(std::max(0.0, covariance(0, 0) + covariance(1, 1)));
 }
 
-constexpr int kStretchMin = 8;       // maps whose covariances are computed one by one
-constexpr double kDriftBound = 1.5;  // of odometry, which is composed to first order
+/// Standard deviation of the position of a map in any map from `end` on to `middle` that the
+/// odometry between these adds, or takes away; `lever_m` from `middle` to the map.
+double drift_m(const OdometryChain& odometry, int end, int middle, double lever_m) {
+  constexpr double kMargin = 1.5;  // the odometry is composed to first order
+  const Eigen::Matrix3d covariance = odometry.between(end, middle).covariance;
+  return kMargin * (position_sd(covariance) + lever_m * std::sqrt(std::max(0.0, covariance(2, 2))));
+}
+
+constexpr int kStretchMin = 8;  // maps whose covariances are computed one by one
 
 /// Searches the maps that may be near the newest, by halving the path.
 class NearMapSearch {
@@ -80,15 +87,6 @@ class NearMapSearch {
     return distance_m <= reach_m + reach_m_[as_index(map_)] + sigmas_ * sd_m;
   }
 
-  /// Standard deviation of the position of the map in any map from `end` on to `middle` that the
-  /// odometry between these adds.
-  [[nodiscard]] double drift_m(int end, int middle) const {
-    const Eigen::Matrix3d covariance = odometry_.between(end, middle).covariance;
-    const double lever_m = (poses_[as_index(middle)].translation() - p_map_).norm();
-    return kDriftBound *
-           (position_sd(covariance) + lever_m * std::sqrt(std::max(0.0, covariance(2, 2))));
-  }
-
   void visit(int first_leaf, int end_leaf) {
     if (first_leaf >= end_leaf) return;
     Extent extent;
@@ -101,8 +99,10 @@ class NearMapSearch {
     const double distance_m = extent.origins.exteriorDistance(p_map_);
     if (!is_near(distance_m, extent.reach_m, 0.0)) {
       const int middle = first + (end - first) / 2;
+      const double lever_m = (poses_[as_index(middle)].translation() - p_map_).norm();
       const double sd_m = position_sd(trial_.covariance(middle, map_)) +
-                          std::max(drift_m(first, middle), drift_m(end - 1, middle));
+                          std::max(drift_m(odometry_, first, middle, lever_m),
+                                   drift_m(odometry_, end - 1, middle, lever_m));
       if (!is_near(distance_m, extent.reach_m, sd_m)) return;
     }
     if (end_leaf - first_leaf == 1) return visit_each(first, end);
@@ -267,6 +267,31 @@ std::vector<NearMap> Trial::near_maps(int map, std::span<const double> reach_m, 
     all.push_back({static_cast<int>(all.size()), covariance});
   }
   return all;
+}
+
+Eigen::Matrix3d Trial::least_covariance(int map, int end) {
+  const std::vector<Pose2> all = poses();
+  Eigen::Matrix3d least = covariance(0, map);
+  const auto visit = [&](const auto& self, int first, int last) -> void {
+    if (first > last) return;
+    const int middle = first + (last - first) / 2;
+    const Eigen::Matrix3d here = covariance(middle, map);
+    if (position_sd(here) < position_sd(least)) least = here;
+    const double lever_m =
+        (all[as_index(middle)].translation() - all[as_index(map)].translation()).norm();
+    const auto may_be_less = [&](int side) {
+      return position_sd(here) - drift_m(problem_.odometry, side, middle, lever_m) <
+             position_sd(least);
+    };
+    if (may_be_less(last)) self(self, middle + 1, last);
+    if (may_be_less(first)) self(self, first, middle - 1);
+  };
+  visit(visit, 0, end - 1);
+  return least;
+}
+
+std::vector<Pose2> Trial::poses() const {
+  return map_field_ != nullptr ? map_field_->poses() : hypothesis().T_map_local;
 }
 
 void Trial::accept(int loop_closure, int alternative) {

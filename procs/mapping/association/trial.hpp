@@ -91,6 +91,13 @@ class Trial {
   [[nodiscard]] std::vector<NearMap> near_maps(int map, std::span<const double> reach_m,
                                                double sigmas);
 
+  /// Of the maps before `end`, the covariance as above of the one relative to which the position of
+  /// `map` is most certain; searched in the same way.
+  [[nodiscard]] Eigen::Matrix3d least_covariance(int map, int end);
+
+  /// T_map_local of all maps.
+  [[nodiscard]] std::vector<Pose2> poses() const;
+
   /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);
   /// Chooses alternatives of several undecided loop closures, (loop closure, alternative), by one

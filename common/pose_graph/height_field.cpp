@@ -3,9 +3,8 @@
 #include "common/pose_graph/height_field.hpp"
 
 #include <algorithm>
-#include <cstdlib>
-#include <iostream>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace adit {
@@ -76,9 +75,7 @@ int HeightField::add(const HeightConstraint& constraint) {
 
 /// With its priors, a field determines all unknowns.
 void HeightField::update() {
-  if (tree_.update()) return;
-  std::cerr << "HeightField: a constraint that is not finite\n";
-  std::abort();
+  if (!tree_.update()) throw std::runtime_error("a height constraint that is not finite");
 }
 
 double HeightField::height_m(int node) const {

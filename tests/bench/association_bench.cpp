@@ -17,6 +17,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "common/pose_graph/height_field.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 
 namespace adit {
@@ -347,12 +348,45 @@ void map_inconsistency(benchmark::State& state) {
   }
 }
 
+/// Heights of a path with a loop closure for each seventh map: `maps` nodes, then a few more.
+void heights(benchmark::State& state) {
+  constexpr int kMore = 200;
+  const int maps = static_cast<int>(state.range(0));
+  const auto climb = [](int node) {
+    return HeightConstraint{node - 1, node, 0.1, 0.02, {{{0, kStepM}}}};
+  };
+  HeightField field(0.005);
+  const auto add = [&](int node) {
+    field.add_node();
+    field.add(climb(node));
+    if (node > kRound && node % 7 == 0) field.add({node - kRound, node, 0.0, 0.03, {}});
+  };
+  for (int node = 1; node < maps; ++node) add(node);
+  field.update();
+  Times times;
+  for (auto _ : state) {
+    const int first = field.nodes();
+    for (int node = first; node < first + kMore; ++node) {
+      const Stopwatch stopwatch;
+      add(node);
+      field.update();
+      benchmark::DoNotOptimize(field.variance(0, node));
+      times.add(stopwatch.s());
+    }
+    const Stopwatch stopwatch;
+    benchmark::DoNotOptimize(field.variances_to(0));
+    state.SetIterationTime(stopwatch.s());
+  }
+  times.count(state, "new");
+}
+
 void lengths(benchmark::internal::Benchmark* bench) {
   bench->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Arg(30000)->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK(new_map)->Apply(lengths)->UseManualTime()->Iterations(3);
 BENCHMARK(loop_of_all)->Apply(lengths)->UseManualTime()->Iterations(3);
+BENCHMARK(heights)->Apply(lengths)->UseManualTime()->Iterations(3);
 BENCHMARK(contradicted)->Apply(lengths)->UseManualTime();
 BENCHMARK(map_inconsistency)->Apply(lengths)->UseManualTime();
 

@@ -9,6 +9,8 @@
 namespace adit {
 namespace {
 
+constexpr int kMostFew = 1000;  // maps, and this share of all, of which a factorisation is cheaper
+constexpr int kMostShare = 4;
 constexpr int kFirstSteps = 5;  // to the mode of a map that was restored
 
 }  // namespace
@@ -76,11 +78,20 @@ void MapField::accept(const AssociationProblem& problem, int loop_closure, int a
   update(false);
 }
 
+bool MapField::is_far(int map) const {
+  const Eigen::Vector3d mode = field_.mode(map);
+  return mode.head<2>().norm() > kMovedM || std::abs(mode.z()) > kMovedRad;
+}
+
+bool MapField::is_mostly_far() const {
+  const auto far = std::ranges::count_if(displaced_, [this](int map) { return is_far(map); });
+  return far > kMostFew && far > std::ssize(poses_) / kMostShare;
+}
+
 bool MapField::relinearise() {
   bool any = false;
   for (const int map : std::exchange(displaced_, {})) {
-    const Eigen::Vector3d mode = field_.mode(map);
-    if (mode.head<2>().norm() <= kMovedM && std::abs(mode.z()) <= kMovedRad) continue;
+    if (!is_far(map)) continue;
     field_.move(map, poses_[as_index(map)]);
     any = true;
   }

@@ -26,6 +26,8 @@ class MapField {
   void accept(const AssociationProblem& problem, int loop_closure, int alternative);
   /// Linearises again as above. False if no map is as far.
   bool relinearise();
+  /// Whether so many maps are as far that one factorisation of all is cheaper.
+  [[nodiscard]] bool is_mostly_far() const;
 
   [[nodiscard]] const IncrementalField& field() const { return field_; }
   /// T_map_local of all maps at the mode.
@@ -33,7 +35,7 @@ class MapField {
   /// The largest turn of a map by the mode that is not linearised yet [rad].
   [[nodiscard]] double largest_turn() const;
 
-  /// A linearisation this near has errors of the second order; the optimum is found to 0.1 mm.
+  /// A linearisation this near has errors of the second order; the optimum is found to 0.5 mm.
   static constexpr double kMovedM = 1e-3;
   static constexpr double kMovedRad = 1e-4;
   /// A change of the maps on which others depend that does not move these [m, rad].
@@ -43,6 +45,7 @@ class MapField {
   void add_maps(const AssociationProblem& problem, const Hypothesis& hypothesis);
   void choose(const AssociationProblem& problem, std::size_t loop_closure, int alternative);
   void update(bool only_new_maps);
+  [[nodiscard]] bool is_far(int map) const;
 
   struct Chosen {
     int alternative = Association::kNone;

@@ -313,7 +313,8 @@ void Trial::relinearise() {
   if (map_field_ != nullptr) {
     double turn = map_field_->largest_turn();
     for (int step = 0; turn > kTurnMax; ++step) {
-      if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
+      const bool is_far = turn > kTurnFar || map_field_->is_mostly_far();
+      if (is_far || step == kLinearisations) return reoptimize(turn > kTurnFar);
       map_field_->relinearise();
       hypothesis_ = hypothesis();
       turn = map_field_->largest_turn();
@@ -348,7 +349,7 @@ void Trial::revoke(const std::vector<int>& loop_closures) {
 /// Linearises at the mode until no map moves. False if it does not converge.
 bool Trial::settle() {
   for (int step = 0; step < kFewSteps; ++step) {
-    if (map_field_->largest_turn() > kTurnFar) return false;
+    if (map_field_->largest_turn() > kTurnFar || map_field_->is_mostly_far()) return false;
     if (!map_field_->relinearise()) {
       hypothesis_ = hypothesis();
       return true;
@@ -360,7 +361,7 @@ bool Trial::settle() {
 void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_ = hypothesis();
   field_.reset();
-  if (map_field_ != nullptr && !from_scratch) {
+  if (map_field_ != nullptr && !from_scratch && !map_field_->is_mostly_far()) {
     map_field_->follow(problem_, hypothesis_);
     if (settle()) {
       hypothesis_.partially_optimized = false;

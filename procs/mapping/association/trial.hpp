@@ -92,7 +92,7 @@ class Trial {
                                                double sigmas);
 
   /// Of the maps before `end`, the covariance as above of the one relative to which the position of
-  /// `map` is most certain; searched in the same way.
+  /// `map` is most certain; searched likewise.
   [[nodiscard]] Eigen::Matrix3d least_covariance(int map, int end);
 
   /// T_map_local of all maps.

@@ -3,108 +3,120 @@
 #include "common/pose_graph/height_field.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <stdexcept>
 #include <utility>
-
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 namespace adit {
 namespace {
 
 constexpr double kUnconstrainedM = 1000.0;
-
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
-/// One row of the least squares problem: coefficients of unknowns, by index.
-struct Row {
-  std::vector<std::pair<int, double>> coefficients;
-  double value = 0.0;
-  double information = 1.0;
-};
-
-Row row_of(const HeightConstraint& constraint, int nodes) {
-  Row row;
-  if (constraint.from > 0) row.coefficients.emplace_back(constraint.from - 1, -1.0);
-  if (constraint.to > 0) row.coefficients.emplace_back(constraint.to - 1, 1.0);
-  // A body that seems to pitch up by e too much seems to climb by e times the distance.
-  for (const auto& [session, forward_m] : constraint.travels) {
-    if (forward_m != 0.0) row.coefficients.emplace_back(nodes - 1 + session, forward_m);
-  }
-  row.value = constraint.climb_m;
-  row.information = 1.0 / (constraint.sd_m * constraint.sd_m);
-  return row;
-}
+constexpr double kUnchanged = 1e-7;  // of heights and pitch errors on which others depend [m, rad]
 
 }  // namespace
 
-struct HeightField::Factor {
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky;
-};
-
-HeightField::HeightField() = default;
-HeightField::~HeightField() = default;
-HeightField::HeightField(HeightField&&) noexcept = default;
-HeightField& HeightField::operator=(HeightField&&) noexcept = default;
+HeightField::HeightField(double pitch_sd_rad) : pitch_sd_rad_(pitch_sd_rad), tree_(1, kUnchanged) {}
 
 HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constraints,
-                         const std::function<PitchPrior(int session)>& pitch_prior)
-    : nodes_(std::max(nodes, 1)) {
-  int sessions = 0;
-  for (const HeightConstraint& constraint : constraints) {
-    for (const auto& travel : constraint.travels) {
-      sessions = std::max(sessions, travel.session + 1);
-    }
-  }
-  const int unknowns = nodes_ - 1 + sessions;
-  if (unknowns == 0) return;
-  Triplets triplets;
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(unknowns);
-  for (int i = 0; i < nodes_ - 1; ++i) {
-    triplets.emplace_back(i, i, 1.0 / (kUnconstrainedM * kUnconstrainedM));
-  }
-  for (int session = 0; session < sessions; ++session) {
-    const int i = nodes_ - 1 + session;
-    const PitchPrior prior = pitch_prior(session);
-    const double information = 1.0 / (prior.sd_rad * prior.sd_rad);
-    triplets.emplace_back(i, i, information);
-    b[i] += information * prior.error_rad;
-  }
-  for (const HeightConstraint& constraint : constraints) {
-    const Row row = row_of(constraint, nodes_);
-    for (const auto& [i, a] : row.coefficients) {
-      b[i] += row.information * a * row.value;
-      for (const auto& [k, c] : row.coefficients) {
-        triplets.emplace_back(i, k, row.information * a * c);
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> information(unknowns, unknowns);
-  information.setFromTriplets(triplets.begin(), triplets.end());
-  factor_ = std::make_unique<Factor>();
-  factor_->cholesky.compute(information);
-  solution_ = factor_->cholesky.solve(b);
+                         double pitch_sd_rad)
+    : HeightField(pitch_sd_rad) {
+  for (int node = 1; node < nodes; ++node) add_node();
+  for (const HeightConstraint& constraint : constraints) add(constraint);
+  update();
 }
 
-double HeightField::height_m(int node) const { return node == 0 ? 0.0 : solution_[node - 1]; }
+int HeightField::add_prior(int block, double mean, double sd) {
+  const double information = 1.0 / (sd * sd);
+  return tree_.add_term({{block},
+                         Eigen::MatrixXd::Constant(1, 1, information),
+                         Eigen::VectorXd::Constant(1, information * mean)});
+}
+
+HeightField::Unknown HeightField::add_unknown(double mean, double sd, bool of_session) {
+  Unknown unknown;
+  unknown.block = tree_.add_block(of_session);
+  unknown.prior = add_prior(unknown.block, mean, sd);
+  return unknown;
+}
+
+void HeightField::add_node() { nodes_.push_back(add_unknown(0.0, kUnconstrainedM, false)); }
+
+void HeightField::set_pitch_prior(int session, const PitchPrior& prior) {
+  pitch_priors_[session] = prior;
+  const auto s = static_cast<std::size_t>(session);
+  if (s >= pitch_.size()) return;
+  tree_.remove_term(pitch_[s].prior);
+  pitch_[s].prior = add_prior(pitch_[s].block, prior.error_rad, prior.sd_rad);
+}
+
+/// And the sessions that began with it.
+void HeightField::remove_newest_node() {
+  const Unknown node = nodes_.back();
+  nodes_.pop_back();
+  while (!pitch_.empty() && pitch_.back().block > node.block) {
+    tree_.remove_term(pitch_.back().prior);
+    tree_.remove_newest_block();
+    pitch_.pop_back();
+  }
+  tree_.remove_term(node.prior);
+  tree_.remove_newest_block();
+}
+
+/// A body that seems to pitch up by e too much seems to climb by e times the distance.
+int HeightField::add(const HeightConstraint& constraint) {
+  std::map<int, double> coefficients;  // by block
+  if (constraint.from > 0) coefficients[block_of(constraint.from)] -= 1.0;
+  if (constraint.to > 0) coefficients[block_of(constraint.to)] += 1.0;
+  for (const auto& [session, forward_m] : constraint.travels) {
+    while (static_cast<int>(pitch_.size()) <= session) {
+      const auto known = pitch_priors_.find(static_cast<int>(pitch_.size()));
+      const PitchPrior prior =
+          known == pitch_priors_.end() ? PitchPrior{0.0, pitch_sd_rad_} : known->second;
+      pitch_.push_back(add_unknown(prior.error_rad, prior.sd_rad, true));
+    }
+    if (forward_m == 0.0) continue;
+    coefficients[pitch_[static_cast<std::size_t>(session)].block] += forward_m;
+  }
+  BayesTree::Term term;
+  Eigen::VectorXd row(static_cast<Eigen::Index>(coefficients.size()));
+  for (const auto& [block, coefficient] : coefficients) {
+    row[static_cast<Eigen::Index>(term.blocks.size())] = coefficient;
+    term.blocks.push_back(block);
+  }
+  const double information = 1.0 / (constraint.sd_m * constraint.sd_m);
+  term.H = information * row * row.transpose();
+  term.b = information * constraint.climb_m * row;
+  return tree_.add_term(std::move(term));
+}
+
+/// With its priors, a field determines all unknowns.
+void HeightField::update() {
+  if (!tree_.update()) throw std::runtime_error("a height constraint that is not finite");
+}
+
+double HeightField::height_m(int node) const {
+  return node == 0 ? 0.0 : tree_.solution(block_of(node))[0];
+}
 
 double HeightField::variance(int from, int to) const {
   if (from == to) return 0.0;
-  Eigen::VectorXd difference = Eigen::VectorXd::Zero(solution_.size());
-  if (from > 0) difference[from - 1] = -1.0;
-  if (to > 0) difference[to - 1] = 1.0;
-  return difference.dot(factor_->cholesky.solve(difference));
+  double variance = 0.0;
+  for (const int node : {from, to}) {
+    if (node > 0) variance += tree_.covariance(block_of(node))(0, 0);
+  }
+  if (from > 0 && to > 0) variance -= 2.0 * tree_.covariance(block_of(from), block_of(to))(0, 0);
+  return std::max(0.0, variance);
 }
 
 Eigen::VectorXd HeightField::variances_to(int node) const {
-  Eigen::VectorXd variances(nodes_);
-  for (int i = 0; i < nodes_; ++i) variances[i] = variance(node, i);
+  Eigen::VectorXd variances(nodes());
+  for (int i = 0; i < nodes(); ++i) variances[i] = variance(i, node);
   return variances;
 }
 
 double HeightField::pitch_error_rad(int session) const {
-  const Eigen::Index i = nodes_ - 1 + session;
-  return session >= 0 && i < solution_.size() ? solution_[i] : 0.0;
+  const auto s = static_cast<std::size_t>(session);
+  return session >= 0 && s < pitch_.size() ? tree_.solution(pitch_[s].block)[0] : 0.0;
 }
 
 }  // namespace adit

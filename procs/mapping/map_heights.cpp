@@ -66,30 +66,54 @@ const GroundOffset& MapHeights::offset_at(const PoseConstraint& loop_closure,
   return offset.ground;
 }
 
+void MapHeights::add_new(const std::vector<LocalMap>& maps) {
+  add_climbs(maps);
+  field_.update();
+}
+
+void MapHeights::add_climbs(const std::vector<LocalMap>& maps) {
+  for (std::size_t i = climbs_.size() + 1; i < maps.size(); ++i) {
+    field_.add_node();
+    climbs_.push_back(field_.add(climb_of(maps[i], maps[i - 1])));
+  }
+}
+
 void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
                         const std::vector<PoseConstraint>& loop_closures) {
-  std::vector<HeightConstraint> constraints;
-  for (std::size_t i = 1; i < maps.size(); ++i) {
-    constraints.push_back(climb_of(maps[i], maps[i - 1]));
-  }
-  for (const PoseConstraint& loop_closure : loop_closures) {
-    const GroundOffset& ground = offset_at(loop_closure, walls);
-    if (!std::isfinite(ground.offset_m)) continue;
-    const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
-    const int from_session = maps[static_cast<std::size_t>(loop_closure.from)].session;
-    const int to_session = maps[static_cast<std::size_t>(loop_closure.to)].session;
-    constraints.push_back(
-        {loop_closure.from,
-         loop_closure.to,
-         ground.offset_m,
-         sd_m,
-         {{{from_session, ground.reference_forward_m}, {to_session, -ground.path_forward_m}}}});
-  }
-  const auto pitch_prior = [&](int session) {
-    const auto known = pitch_priors_.find(session);
-    return known == pitch_priors_.end() ? PitchPrior{0.0, params_.pitch_sd_rad} : known->second;
+  const auto is_same = [](const LoopClosureInForce& before, const PoseConstraint& now) {
+    return before.from == now.from && before.to == now.to && before.T_from_to == now.T_from_to;
   };
-  field_ = HeightField(static_cast<int>(maps.size()), constraints, pitch_prior);
+  const auto kept = static_cast<std::size_t>(
+      std::ranges::mismatch(loop_closures_, loop_closures, is_same).in1 - loop_closures_.begin());
+  for (; loop_closures_.size() > kept; loop_closures_.pop_back()) {
+    if (loop_closures_.back().constraint >= 0) field_.remove(loop_closures_.back().constraint);
+  }
+  for (; !climbs_.empty() && climbs_.size() + 1 > maps.size(); climbs_.pop_back()) {
+    field_.remove(climbs_.back());
+    field_.remove_newest_node();
+  }
+  add_climbs(maps);
+  for (std::size_t k = kept; k < loop_closures.size(); ++k) {
+    const PoseConstraint& c = loop_closures[k];
+    loop_closures_.push_back({c.from, c.to, c.T_from_to, add_to_field(c, maps, walls)});
+  }
+  field_.update();
+}
+
+/// Ties the ground of both local maps; −1 if they have none in common.
+int MapHeights::add_to_field(const PoseConstraint& loop_closure, const std::vector<LocalMap>& maps,
+                             const std::vector<LocalWalls>& walls) {
+  const GroundOffset& ground = offset_at(loop_closure, walls);
+  if (!std::isfinite(ground.offset_m)) return -1;
+  const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
+  const int from_session = maps[static_cast<std::size_t>(loop_closure.from)].session;
+  const int to_session = maps[static_cast<std::size_t>(loop_closure.to)].session;
+  return field_.add(
+      {loop_closure.from,
+       loop_closure.to,
+       ground.offset_m,
+       sd_m,
+       {{{from_session, ground.reference_forward_m}, {to_session, -ground.path_forward_m}}}});
 }
 
 bool MapHeights::same_level(int older, int newer, const Pose2& T_older_newer,

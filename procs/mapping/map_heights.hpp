@@ -45,12 +45,19 @@ struct MapHeightsParams {
 /// at a loop closure from the ground that both local maps drove on.
 class MapHeights {
  public:
-  explicit MapHeights(const MapHeightsParams& params) : params_(params) {}
+  explicit MapHeights(const MapHeightsParams& params)
+      : params_(params), field_(params.pitch_sd_rad) {}
 
-  /// What the 3D scans of a session tell of its constant pitch error; otherwise `pitch_sd_rad`.
-  void set_pitch_prior(int session, const PitchPrior& prior) { pitch_priors_[session] = prior; }
+  /// What the 3D scans of a session tell of its constant pitch error; otherwise `pitch_sd_rad`. It
+  /// takes effect with the next change.
+  void set_pitch_prior(int session, const PitchPrior& prior) {
+    field_.set_pitch_prior(session, prior);
+  }
 
-  /// Solves for the heights, with these loop closures in force.
+  /// Adds the local maps that are new.
+  void add_new(const std::vector<LocalMap>& maps);
+  /// Solves for the heights, with these loop closures in force, at the cost of what differs from
+  /// the last time. A local map does not change while it is there.
   void update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
               const std::vector<PoseConstraint>& loop_closures);
 
@@ -73,9 +80,23 @@ class MapHeights {
   [[nodiscard]] const GroundOffset& offset_at(const PoseConstraint& loop_closure,
                                               const std::vector<LocalWalls>& walls);
 
+  void add_climbs(const std::vector<LocalMap>& maps);
+  [[nodiscard]] int add_to_field(const PoseConstraint& loop_closure,
+                                 const std::vector<LocalMap>& maps,
+                                 const std::vector<LocalWalls>& walls);
+
+  /// A loop closure in force, and its constraint in the field; −1 without common ground.
+  struct LoopClosureInForce {
+    int from = 0;
+    int to = 0;
+    Pose2 T_from_to;
+    int constraint = -1;
+  };
+
   MapHeightsParams params_;
   HeightField field_;
-  std::map<int, PitchPrior> pitch_priors_;  ///< by session
+  std::vector<int> climbs_;  ///< constraints, of each local map but the first
+  std::vector<LoopClosureInForce> loop_closures_;
   struct Offset {
     Pose2 T_from_to;
     GroundOffset ground;

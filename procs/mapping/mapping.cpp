@@ -43,6 +43,7 @@ constexpr double kDeformationShare = 1.0 / 3.0;
 constexpr double kSeenAtRestM = 1.0;
 constexpr double kRestS = 2.0;  // without a stored scan
 constexpr double kNearHomeM = 5.0;
+constexpr double kBesideM = 5.0;   // walls farther beside a map than this are not its own
 constexpr double kSureSdM = 0.05;  // a smaller standard deviation needs no improvement
 
 /// Of (x, y, θ).
@@ -156,7 +157,7 @@ void Mapping::place_cloud() {
   const Cloud cloud = *std::exchange(new_cloud_, std::nullopt);
   const LocalMap& current = builder_.current();
   if (current.scans.empty() || !odom_epoch_utime_ || cloud.utime < *odom_epoch_utime_) return;
-  clouds_.add(cloud, current.id, between(current.T_odom_local, cloud.T_odom_level),
+  clouds_.add(cloud, current.session, current.id, between(current.T_odom_local, cloud.T_odom_level),
               cloud.z_odom_m - current.z_odom_m);
 }
 
@@ -176,7 +177,7 @@ void Mapping::localise_at_rest() {
   const Pose2 T_odom_here = here.T_odom_local;
   const int id = here.id;
   append_map(std::move(here));
-  update_heights();
+  heights_.add_new(maps_);
   const auto decided =
       association_.decide(loop_closures(id, association_.trial(), false), maps_.back().utime);
   const bool found = std::ranges::any_of(
@@ -186,9 +187,7 @@ void Mapping::localise_at_rest() {
     at_rest_ = {association_.hypothesis().T_map_local.back() * T_odom_here.inverse(), covariance};
   }
   association_.roll_back(std::move(before));
-  maps_.pop_back();
-  walls_.pop_back();
-  extents_.pop_back();
+  remove_newest_map();
   update_heights();
 }
 
@@ -232,7 +231,7 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   MapUpdate update;
   update.map = map;
   append_map(std::move(map));                   // section 2.1
-  update_heights();                             // of the chain, to tell levels apart
+  heights_.add_new(maps_);                      // to tell levels apart
   update.associations = associate(update.map);  // sections 2.2 and 2.3
   if (!update.associations.empty()) update_heights();
   ++revision_;
@@ -262,16 +261,9 @@ std::vector<Association> Mapping::associate(const LocalMap& newest) {
 /// and learns the constant error of the attitude from those that are accepted.
 std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  std::vector<PlacedLocalMap> placed;
-  int first = 0;
-  for (int i = 0; i <= map; ++i) {
-    placed.push_back({poses[static_cast<std::size_t>(i)], heights_.height_m(i)});
-    if (maps_[static_cast<std::size_t>(i)].session !=
-        maps_[static_cast<std::size_t>(map)].session) {
-      first = i + 1;
-    }
-  }
-  const std::vector<CloudMatch> matches = clouds_.matches(map, first, placed);
+  const std::vector<CloudMatch> matches = clouds_.matches(map, [&](int i) {
+    return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
+  });
   if (matches.empty()) return {};
   std::vector<LoopClosure> loop_closures;
   for (const CloudMatch& match : matches) loop_closures.push_back(match.loop_closure);
@@ -311,7 +303,8 @@ bool Mapping::is_redundant(const MapUpdate& update) const {
   if (!found_first || !all_proposed || found < params_.maps_per_place_max) return false;
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   std::vector<MapExtent::Placed> older;
-  for (std::size_t k = 0; k + 1 < maps_.size(); ++k) {
+  for (const NearMap& near : within_reach(poses, kBesideM, Eigen::Matrix3d::Zero())) {
+    const auto k = static_cast<std::size_t>(near.older);
     older.push_back({&extents_[k], between(poses.back(), poses[k])});
   }
   return extents_.back().covered_by(older) >= kRedundantShare;
@@ -328,12 +321,11 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
   localization_ = {update.map.end_utime, best.loop_closure.alternatives[chosen].older_map,
                    poses.back() * update.map.T_odom_local.inverse(),
                    heights_.height_m(update.map.id) - update.map.z_odom_m};
-  const UncertainPose T_last_here{between(poses[poses.size() - 2], poses.back()),
-                                  association_.trial().covariances_to(update.map.id).back()};
+  const UncertainPose T_last_here{
+      between(poses[poses.size() - 2], poses.back()),
+      association_.trial().covariance(update.map.id - 1, update.map.id)};
   association_.roll_back(std::move(before));
-  maps_.pop_back();
-  walls_.pop_back();
-  extents_.pop_back();
+  remove_newest_map();
   builder_.replace_last_map(T_last_here, update.map);
   clouds_.discard(update.map.id);
   update_heights();
@@ -345,13 +337,9 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
 std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return std::nullopt;
-  const auto covariances = association_.trial().covariances_to(static_cast<int>(maps_.size()) - 1);
-  std::optional<Eigen::Matrix3d> best;
-  for (std::size_t i = 0; maps_[i].session != session; ++i) {
-    const double spread = covariances[i].topLeftCorner<2, 2>().trace();
-    if (!best || spread < best->topLeftCorner<2, 2>().trace()) best = covariances[i];
-  }
-  return best;
+  const auto first = std::ranges::lower_bound(maps_, session, {}, &LocalMap::session);
+  return association_.trial().least_covariance(static_cast<int>(maps_.size()) - 1,
+                                               static_cast<int>(first - maps_.begin()));
 }
 
 void Mapping::update_covariance_from_first() {
@@ -374,8 +362,32 @@ Eigen::Matrix3d Mapping::body_covariance() const {
 void Mapping::append_map(LocalMap map) {
   walls_.push_back(local_walls(map, mounts_, params_.walls));
   extents_.emplace_back(walls_.back());
+  reach_m_.push_back(extents_.back().reach_m());
   association_.add_map(map.T_previous_local, map.information);
   maps_.push_back(std::move(map));
+}
+
+void Mapping::remove_newest_map() {
+  maps_.pop_back();
+  walls_.pop_back();
+  extents_.pop_back();
+  reach_m_.pop_back();
+}
+
+/// The maps before the last of these that have walls within its reach, or nearly so; with this
+/// covariance.
+std::vector<NearMap> Mapping::within_reach(std::span<const Pose2> T_map_local, double tolerance_m,
+                                           const Eigen::Matrix3d& covariance) const {
+  const std::size_t newest = T_map_local.size() - 1;
+  const double margin_m = reach_m_[newest] + tolerance_m;
+  std::vector<NearMap> near;
+  for (std::size_t i = 0; i < newest; ++i) {
+    const Eigen::Vector2d apart = T_map_local[i].translation() - T_map_local[newest].translation();
+    const double within_m = reach_m_[i] + margin_m;
+    if (apart.squaredNorm() <= within_m * within_m)
+      near.push_back({static_cast<int>(i), covariance});
+  }
+  return near;
 }
 
 void Mapping::update_heights() {
@@ -447,23 +459,27 @@ bool Mapping::is_bridged(int first_after_gap) const {
 /// With local maps before the gap only; those next to it are no neighbours in the chain.
 std::vector<LoopClosure> Mapping::loop_closures_over_gap(int map, int first_after_gap) {
   Trial& trial = association_.trial();
-  std::vector<Pose2> poses = trial.hypothesis().T_map_local;
+  std::vector<Pose2> poses = trial.poses();
   poses.resize(static_cast<std::size_t>(map) + 1);
   LoopClosureCandidatesParams params = params_.candidates;
   params.neighbours = map - first_after_gap;
-  return matches_of(
-      loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), params), map,
-      poses);
+  return matches_of(loop_closure_candidates(poses, trial.near_maps(map, reach_m_, params.sigmas),
+                                            up_to(map, extents_), params),
+                    map, poses);
 }
 
 bool Mapping::session_is_connected() const {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return true;
   const auto session_of = [&](int map) { return maps_[static_cast<std::size_t>(map)].session; };
-  const auto in_force = constraints_in_force(association_.problem(), association_.hypothesis());
-  return std::any_of(in_force.begin(), in_force.end(), [&](const PoseConstraint& c) {
-    return session_of(c.to) == session && session_of(c.from) != session;
-  });
+  const std::vector<LoopClosure>& loop_closures = association_.problem().loop_closures;
+  const std::vector<int>& chosen = association_.hypothesis().chosen;
+  for (std::size_t k = chosen.size(); k-- > 0;) {  // in order of the newer map
+    if (session_of(loop_closures[k].newer_map) != session) break;
+    if (chosen[k] == Association::kNone) continue;
+    if (session_of(constraint_of(loop_closures[k], chosen[k]).from) != session) return true;
+  }
+  return false;
 }
 
 /// Searches the newest map in all maps of the older sessions.
@@ -504,7 +520,7 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
   const bool newest = map + 1 == static_cast<int>(maps_.size());
   const bool joined = !newest || session_is_connected();
   if (!joined && !odom_continues_ && params_.carried) return relocalise();
-  std::vector<Pose2> poses = trial.hypothesis().T_map_local;
+  std::vector<Pose2> poses = trial.poses();
   poses.resize(static_cast<std::size_t>(map) + 1);
   LoopClosureCandidatesParams params = params_.candidates;
   // The link to the previous session is too loose for neighbours in the chain to be excluded.
@@ -514,8 +530,9 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
     params.most += params_.candidates.neighbours;
   }
   const auto candidates_of = thorough ? thorough_candidates : loop_closure_candidates;
+  const double sigmas = (thorough ? kThoroughSds : 1.0) * params.sigmas;
   std::vector<LoopClosureCandidate> candidates =
-      candidates_of(poses, trial.covariances_to(map), up_to(map, extents_), params);
+      candidates_of(poses, trial.near_maps(map, reach_m_, sigmas), up_to(map, extents_), params);
   std::erase_if(candidates, [&](const LoopClosureCandidate& candidate) {
     return loosely_linked && is_neighbour(candidate.older, map);
   });
@@ -570,13 +587,14 @@ void Mapping::add_deformations(std::vector<LoopClosure>& loop_closures) const {
 double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double map_inconsistency = 0.0;
-  const std::vector<Eigen::Matrix3d> certain(maps_.size(),
-                                             kInconsistencySd.cwiseAbs2().asDiagonal());
+  const Eigen::Matrix3d covariance = kInconsistencySd.cwiseAbs2().asDiagonal();
+  const double tolerance_m = params_.candidates.sigmas * kInconsistencySd.head<2>().norm();
   for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
     const auto poses = up_to(map, T_map_local);
     double largest = 0.0;
+    const std::vector<NearMap> near = within_reach(poses, tolerance_m, covariance);
     for (const LoopClosureCandidate& candidate :
-         loop_closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
+         loop_closure_candidates(poses, near, up_to(map, extents_), params_.candidates)) {
       const Pose2& T_older_newer = candidate.predicted.T_older_newer;
       if (!heights_.same_level(candidate.older, map, T_older_newer, walls_)) continue;
       largest = std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],

@@ -146,6 +146,10 @@ class Mapping : private Evidence {
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);
+  void remove_newest_map();
+  [[nodiscard]] std::vector<NearMap> within_reach(std::span<const Pose2> T_map_local,
+                                                  double tolerance_m,
+                                                  const Eigen::Matrix3d& covariance) const;
   void update_heights();
   void update_contradictions();
   void link_session(LocalMap& map) const;
@@ -177,6 +181,7 @@ class Mapping : private Evidence {
   std::vector<LocalMap> maps_;
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
+  std::vector<double> reach_m_;  // of the extents
   MapHeights heights_;
   CloudMatching clouds_;
   std::map<int, LevelError> level_errors_;  ///< by session

@@ -11,10 +11,13 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "common/pose_graph/height_field.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 
 namespace adit {
@@ -27,11 +30,13 @@ constexpr int kRound = 2 * (kLongSide + kShortSide);
 constexpr int kRevisited = 12;  // local maps of a second round, each with a loop closure
 constexpr int kGap = 8;         // steps to the next loop
 constexpr int kLoop = kRound + kRevisited + kGap;
+constexpr int kRoundsGrown = 2;
 constexpr int kWrong = 12;  // loop closures
 constexpr int kRight = 16;  // loop closures that contradict them
 constexpr int kLast = kRound + kWrong + kRight;
 
-const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);  // of one step: m, m, rad
+const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);   // of one step: m, m, rad
+const Eigen::Vector3d kSmallSd(0.02, 0.02, 0.002);  // as scan matching has it
 const Eigen::Vector3d kLoopClosureSd(0.05, 0.05, 0.005);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -44,7 +49,7 @@ Eigen::Matrix3d information(const Eigen::Vector3d& sd) {
 /// the end, wrong loop closures place the second round on the opposite long side.
 class LongTrajectory {
  public:
-  explicit LongTrajectory(int maps) {
+  LongTrajectory(int maps, const Eigen::Vector3d& step_sd) : step_sd_(step_sd) {
     const int loops = (maps - kLast) / kLoop;
     truth_.emplace_back();
     go(maps - kLast - loops * kLoop);
@@ -56,8 +61,13 @@ class LongTrajectory {
       previous_loop_closures_.push_back(loop_closure(
           start_ + kRound - kShortSide - i, start_ + kRound + i, {0.0, 0.0, std::numbers::pi}));
     }
+    first_of_last_rounds_ = 1 + std::max(0, maps - kLast - kRoundsGrown * kLoop);
     measure();
   }
+
+  /// The map from which a few of the former rounds follow, and the one after them.
+  [[nodiscard]] int first_grown() const { return first_of_last_rounds_; }
+  [[nodiscard]] int end_grown() const { return start_; }
 
   [[nodiscard]] int maps() const { return static_cast<int>(truth_.size()); }
   [[nodiscard]] int first_right() const { return start_ + kRound + kWrong; }
@@ -67,6 +77,7 @@ class LongTrajectory {
     for (int map = 0; map < maps; ++map) add_map(association, map);
     std::vector<Association> decisions;
     for (const LoopClosure& loop_closure : previous_loop_closures_) {
+      if (loop_closure.newer_map >= maps) continue;
       Association a;
       a.loop_closure = loop_closure;
       a.loop_closure.id = static_cast<int>(decisions.size());
@@ -77,7 +88,21 @@ class LongTrajectory {
   }
 
   void add_map(LazyAssociation& association, int map) const {
-    association.add_map(steps_[at(map)], information(kStepSd));
+    association.add_map(steps_[at(map)], information(step_sd_));
+  }
+
+  /// The measured loop closures of a local map of a former round.
+  [[nodiscard]] std::vector<LoopClosure> measured_loop_closures(int map) const {
+    std::vector<LoopClosure> found;
+    for (const LoopClosure& c : previous_loop_closures_) {
+      if (c.newer_map == map) found.push_back(c);
+    }
+    return found;
+  }
+
+  /// A loop closure from the last map of the former rounds to the first map.
+  [[nodiscard]] LoopClosure loop_of_all() const {
+    return loop_closure(0, end_grown() - 1, between(truth_[0], truth_[at(end_grown() - 1)]));
   }
 
   /// The right loop closures of a local map of a second round.
@@ -138,7 +163,7 @@ class LongTrajectory {
     };
     steps_.emplace_back();
     for (std::size_t i = 1; i < truth_.size(); ++i) {
-      steps_.push_back(between(truth_[i - 1], truth_[i]) * noise(0.5 * kStepSd));
+      steps_.push_back(between(truth_[i - 1], truth_[i]) * noise(0.5 * step_sd_));
     }
     for (LoopClosure& c : previous_loop_closures_) {
       Pose2& T = c.alternatives.front().T_older_newer;
@@ -146,16 +171,18 @@ class LongTrajectory {
     }
   }
 
+  Eigen::Vector3d step_sd_;
   std::vector<Pose2> truth_;
   std::vector<Pose2> steps_;
   std::vector<LoopClosure> previous_loop_closures_;
   std::set<int> starts_;
   int start_ = 0;  // of the last loop
+  int first_of_last_rounds_ = 0;
 };
 
-const LongTrajectory& trajectory_of(int maps) {
-  static std::map<int, LongTrajectory> trajectories;
-  return trajectories.try_emplace(maps, maps).first->second;
+const LongTrajectory& trajectory_of(int maps, const Eigen::Vector3d& step_sd = kStepSd) {
+  static std::map<std::pair<int, double>, LongTrajectory> trajectories;
+  return trajectories.try_emplace({maps, step_sd.z()}, maps, step_sd).first->second;
 }
 
 /// Evidence from the ground truth, without matching.
@@ -204,14 +231,78 @@ bool revised(const std::vector<Association>& decided) {
   });
 }
 
-/// Cost of each new local map, before any decision.
+constexpr double kReachM = 15.0;  // of the walls of a local map
+constexpr double kSigmas = 3.0;   // of the gate in which they are searched
+
+/// Times of local maps of a kind.
+class Times {
+ public:
+  void add(double s) { ms_.push_back(1e3 * s); }
+
+  void count(benchmark::State& state, const std::string& kind) {
+    if (ms_.empty()) return;
+    std::sort(ms_.begin(), ms_.end());
+    state.counters[kind + "_median_ms"] = quantile(0.5);
+    state.counters[kind + "_p95_ms"] = quantile(0.95);
+    state.counters[kind + "_max_ms"] = ms_.back();
+  }
+
+ private:
+  [[nodiscard]] double quantile(double share) const {
+    return ms_[static_cast<std::size_t>(share * static_cast<double>(ms_.size() - 1))];
+  }
+
+  std::vector<double> ms_;
+};
+
+/// A mission continues: each new local map is added, the older ones near it are searched with their
+/// covariances, and its loop closures are decided. Maps with and without loop closures apart. The
+/// first map after the restart, which builds the field, is not counted.
 void new_map(benchmark::State& state) {
-  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)));
-  LazyAssociation association{LazyAssociationParams{}};
-  trajectory.restore(association, trajectory.first_right());
+  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)), kSmallSd);
+  const std::vector<double> reach_m(static_cast<std::size_t>(trajectory.maps()), kReachM);
+  Times clean;
+  Times loops;
+  double near = 0.0;
   for (auto _ : state) {
-    Trial trial(association.problem(), association.hypothesis());
-    benchmark::DoNotOptimize(trial.covariances_to(trajectory.first_right() - 1));
+    LazyAssociation association{LazyAssociationParams{}};
+    trajectory.restore(association, trajectory.first_grown() - 1);
+    double total_s = 0.0;
+    for (int map = trajectory.first_grown() - 1; map < trajectory.end_grown(); ++map) {
+      std::vector<LoopClosure> found = trajectory.measured_loop_closures(map);
+      const bool has_loop = !found.empty();
+      const Stopwatch stopwatch;
+      trajectory.add_map(association, map);
+      near += static_cast<double>(association.trial().near_maps(map, reach_m, kSigmas).size());
+      benchmark::DoNotOptimize(association.decide(std::move(found), 0));
+      const double s = stopwatch.s();
+      if (map < trajectory.first_grown()) continue;
+      total_s += s;
+      (has_loop ? loops : clean).add(s);
+    }
+    const int maps = trajectory.end_grown() - trajectory.first_grown();
+    state.SetIterationTime(total_s / maps);
+    state.counters["near"] = near / maps;
+    near = 0.0;
+  }
+  clean.count(state, "clean");
+  loops.count(state, "loop");
+}
+
+/// One loop closure around all local maps, which moves nearly all of them.
+void loop_of_all(benchmark::State& state) {
+  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)), kSmallSd);
+  for (auto _ : state) {
+    LazyAssociation association{LazyAssociationParams{}};
+    trajectory.restore(association, trajectory.end_grown() - 2);
+    for (int map = trajectory.end_grown() - 2; map < trajectory.end_grown(); ++map) {
+      trajectory.add_map(association, map);
+      benchmark::DoNotOptimize(association.trial().covariance(0, map));
+    }
+    const Stopwatch stopwatch;
+    const auto decided = association.decide({trajectory.loop_of_all()}, 0);
+    state.SetIterationTime(stopwatch.s());
+    if (decided.front().chosen == Association::kNone) return state.SkipWithError("rejected");
   }
 }
 
@@ -257,11 +348,45 @@ void map_inconsistency(benchmark::State& state) {
   }
 }
 
+/// Heights of a path with a loop closure for each seventh map: `maps` nodes, then a few more.
+void heights(benchmark::State& state) {
+  constexpr int kMore = 200;
+  const int maps = static_cast<int>(state.range(0));
+  const auto climb = [](int node) {
+    return HeightConstraint{node - 1, node, 0.1, 0.02, {{{0, kStepM}}}};
+  };
+  HeightField field(0.005);
+  const auto add = [&](int node) {
+    field.add_node();
+    field.add(climb(node));
+    if (node > kRound && node % 7 == 0) field.add({node - kRound, node, 0.0, 0.03, {}});
+  };
+  for (int node = 1; node < maps; ++node) add(node);
+  field.update();
+  Times times;
+  for (auto _ : state) {
+    const int first = field.nodes();
+    for (int node = first; node < first + kMore; ++node) {
+      const Stopwatch stopwatch;
+      add(node);
+      field.update();
+      benchmark::DoNotOptimize(field.variance(0, node));
+      times.add(stopwatch.s());
+    }
+    const Stopwatch stopwatch;
+    benchmark::DoNotOptimize(field.variances_to(0));
+    state.SetIterationTime(stopwatch.s());
+  }
+  times.count(state, "new");
+}
+
 void lengths(benchmark::internal::Benchmark* bench) {
   bench->Arg(300)->Arg(1000)->Arg(3000)->Arg(10000)->Arg(30000)->Unit(benchmark::kMillisecond);
 }
 
-BENCHMARK(new_map)->Apply(lengths);
+BENCHMARK(new_map)->Apply(lengths)->UseManualTime()->Iterations(3);
+BENCHMARK(loop_of_all)->Apply(lengths)->UseManualTime()->Iterations(3);
+BENCHMARK(heights)->Apply(lengths)->UseManualTime()->Iterations(3);
 BENCHMARK(contradicted)->Apply(lengths)->UseManualTime();
 BENCHMARK(map_inconsistency)->Apply(lengths)->UseManualTime();
 

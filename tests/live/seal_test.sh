@@ -27,9 +27,15 @@ start_mission() {
   "$mission" --config robot.yaml 2>>mission.text & process=$!
   wait_for "the mission" is_there
 }
-# What the mission is doing, as an order that it does not execute says it.
-state() { "$adit" order resume --timeout-s 1 2>&1; }
-is_there() { [[ $(state) != *"no mission responds"* ]]; }
+answer() { "$adit" order resume --timeout-s 1 2>&1; }
+is_there() { [[ $(answer) != *"no mission responds"* ]]; }
+# What the mission is doing, as an order that it does not execute says it; asked again until it responds, which takes
+# longer on a loaded machine.
+state() {
+  local said
+  until said=$(answer); [[ $said != *"no mission responds"* ]]; do :; done
+  echo "$said"
+}
 # executes ORDER SECONDS [OPTION..]
 executes() { local order=$1 seconds=$2; shift 2; "$adit" order "$order" --timeout-s "$seconds" "$@" >>orders.text 2>&1; }
 

@@ -47,6 +47,7 @@ std::string reason_of(const Association& a) {
 
 void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix3d& information) {
   trial_.reset();
+  grows_ |= was_tried_;
   const int maps = problem_.odometry.maps();
   if (maps == 0) {
     problem_.odometry.add_map({});
@@ -157,9 +158,17 @@ LazyAssociation::Choices LazyAssociation::accept_if_consistent(const Choices& ch
   return misfits;
 }
 
-Trial& LazyAssociation::trial() {
-  if (!trial_) trial_.emplace(problem_, hypothesis_);
-  return *trial_;
+Trial& LazyAssociation::trial() { return trial_ ? *trial_ : begin_trial(hypothesis_); }
+
+/// A file is decided when all of its maps are known, in batches: there one factorisation for many
+/// loop closures is cheaper than a tree. Gaps are known in files only.
+Trial& LazyAssociation::begin_trial(Hypothesis hypothesis) {
+  was_tried_ = true;
+  trial_.reset();
+  if (grows_ && problem_.gaps.empty() && problem_.bridges.empty()) {
+    return trial_.emplace(problem_, std::move(hypothesis), map_field_);
+  }
+  return trial_.emplace(problem_, std::move(hypothesis));
 }
 
 /// A revised hypothesis, and the loop closures that it adds to the problem.
@@ -267,6 +276,7 @@ LazyAssociation::Checkpoint LazyAssociation::checkpoint() const {
 void LazyAssociation::roll_back(Checkpoint checkpoint) {
   trial_.reset();
   problem_.roll_back(checkpoint.problem);
+  map_field_.truncate(checkpoint.problem.maps, checkpoint.problem.loop_closures);
   hypothesis_ = std::move(checkpoint.hypothesis);
   search_threshold_ = std::move(checkpoint.search_threshold);
   revision_threshold_ = checkpoint.revision_threshold;
@@ -279,6 +289,7 @@ void LazyAssociation::restore(const std::vector<Association>& associations) {
     hypothesis_.chosen[as_index(a.loop_closure.id)] = a.chosen;
   }
   trial_.reset();
+  was_tried_ = true;
   Trial trial(problem_, hypothesis_);
   trial.reoptimize();
   hypothesis_ = trial.hypothesis();
@@ -354,7 +365,7 @@ bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
 /// Makes a hypothesis the current one, optimised completely.
 void LazyAssociation::set_hypothesis(Hypothesis hypothesis) {
   const bool partially_optimized = hypothesis.partially_optimized;
-  trial_.emplace(problem_, std::move(hypothesis));
+  begin_trial(std::move(hypothesis));
   if (partially_optimized) trial_->reoptimize();
 }
 

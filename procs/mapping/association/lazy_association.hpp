@@ -12,6 +12,7 @@
 #include "common/config/bounds.hpp"
 #include "common/types/association.hpp"
 #include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/map_field.hpp"
 #include "procs/mapping/association/revision_candidates.hpp"
 #include "procs/mapping/association/trial.hpp"
 
@@ -181,6 +182,7 @@ class LazyAssociation {
 
   void revoke_misfits(Trial& trial) const;
   [[nodiscard]] bool may_reconsider(int loop_closure);
+  Trial& begin_trial(Hypothesis hypothesis);
   void set_hypothesis(Hypothesis hypothesis);
   void record_changes(std::vector<Association>& record, std::int64_t utime,
                       const std::vector<int>& before, std::size_t first_new);
@@ -188,6 +190,9 @@ class LazyAssociation {
   LazyAssociationParams params_;
   AssociationProblem problem_;
   Hypothesis hypothesis_;
+  MapField map_field_;                   ///< of the current hypothesis while the map grows
+  bool was_tried_ = false;               ///< a trial was made
+  bool grows_ = false;                   ///< a map was added after that
   std::optional<Trial> trial_;           ///< `hypothesis_` with its field; empty: not yet needed
   std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
   double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next

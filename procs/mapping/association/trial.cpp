@@ -32,6 +32,105 @@ Eigen::Matrix3d in_frame_of_newer(const Eigen::Matrix3d& covariance, const Pose2
   return R * covariance * R.transpose();
 }
 
+double position_sd(const Eigen::Matrix3d& covariance) {
+  return std::sqrt(std::max(0.0, covariance(0, 0) + covariance(1, 1)));
+}
+
+/// Standard deviation of the position of a map in any map from `end` on to `middle` that the
+/// odometry between these adds, or takes away; `lever_m` from `middle` to the map.
+double drift_m(const OdometryChain& odometry, int end, int middle, double lever_m) {
+  constexpr double kMargin = 1.5;  // the odometry is composed to first order
+  const Eigen::Matrix3d covariance = odometry.between(end, middle).covariance;
+  return kMargin * (position_sd(covariance) + lever_m * std::sqrt(std::max(0.0, covariance(2, 2))));
+}
+
+constexpr int kStretchMin = 8;  // maps whose covariances are computed one by one
+
+/// Searches the maps that may be near the newest, by halving the path.
+class NearMapSearch {
+ public:
+  NearMapSearch(Trial& trial, const OdometryChain& odometry, const std::vector<Pose2>& poses,
+                int map, std::span<const double> reach_m, double sigmas)
+      : trial_(trial),
+        odometry_(odometry),
+        poses_(poses),
+        map_(map),
+        reach_m_(reach_m),
+        sigmas_(sigmas),
+        p_map_(poses[as_index(map)].translation()) {
+    for (int first = 0; first < map; first += kStretchMin) {
+      leaves_.push_back(extent_of(first, std::min(map, first + kStretchMin)));
+    }
+  }
+
+  std::vector<NearMap> run() {
+    visit(0, static_cast<int>(leaves_.size()));
+    return std::move(found_);
+  }
+
+ private:
+  struct Extent {
+    Eigen::AlignedBox2d origins;
+    double reach_m = 0.0;
+  };
+
+  [[nodiscard]] Extent extent_of(int first, int end) const {
+    Extent extent;
+    for (int i = first; i < end; ++i) {
+      extent.origins.extend(poses_[as_index(i)].translation());
+      extent.reach_m = std::max(extent.reach_m, reach_m_[as_index(i)]);
+    }
+    return extent;
+  }
+
+  [[nodiscard]] bool is_near(double distance_m, double reach_m, double sd_m) const {
+    return distance_m <= reach_m + reach_m_[as_index(map_)] + sigmas_ * sd_m;
+  }
+
+  void visit(int first_leaf, int end_leaf) {
+    if (first_leaf >= end_leaf) return;
+    Extent extent;
+    for (int leaf = first_leaf; leaf < end_leaf; ++leaf) {
+      extent.origins.extend(leaves_[as_index(leaf)].origins);
+      extent.reach_m = std::max(extent.reach_m, leaves_[as_index(leaf)].reach_m);
+    }
+    const int first = first_leaf * kStretchMin;
+    const int end = std::min(map_, end_leaf * kStretchMin);
+    const double distance_m = extent.origins.exteriorDistance(p_map_);
+    if (!is_near(distance_m, extent.reach_m, 0.0)) {
+      const int middle = first + (end - first) / 2;
+      const double lever_m = (poses_[as_index(middle)].translation() - p_map_).norm();
+      const double sd_m = position_sd(trial_.covariance(middle, map_)) +
+                          std::max(drift_m(odometry_, first, middle, lever_m),
+                                   drift_m(odometry_, end - 1, middle, lever_m));
+      if (!is_near(distance_m, extent.reach_m, sd_m)) return;
+    }
+    if (end_leaf - first_leaf == 1) return visit_each(first, end);
+    const int half = first_leaf + (end_leaf - first_leaf) / 2;
+    visit(first_leaf, half);
+    visit(half, end_leaf);
+  }
+
+  void visit_each(int first, int end) {
+    for (int older = first; older < end; ++older) {
+      const Eigen::Matrix3d covariance = trial_.covariance(older, map_);
+      const double distance_m = (poses_[as_index(older)].translation() - p_map_).norm();
+      if (is_near(distance_m, reach_m_[as_index(older)], position_sd(covariance)))
+        found_.push_back({older, covariance});
+    }
+  }
+
+  Trial& trial_;
+  const OdometryChain& odometry_;
+  const std::vector<Pose2>& poses_;
+  int map_;
+  std::span<const double> reach_m_;
+  double sigmas_;
+  Eigen::Vector2d p_map_;
+  std::vector<Extent> leaves_;
+  std::vector<NearMap> found_;
+};
+
 }  // namespace
 
 Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first)
@@ -39,6 +138,11 @@ Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first
   if (first_ > 0) {
     fixed_ = hypothesis_.objective - adit::objective(graph_of(problem_, hypothesis_, first_));
   }
+}
+
+Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, MapField& map_field)
+    : problem_(problem), hypothesis_(std::move(hypothesis)), first_(0), map_field_(&map_field) {
+  map_field_->follow(problem_, hypothesis_);
 }
 
 std::vector<int> Trial::chosen_loop_closures() const {
@@ -75,7 +179,10 @@ bool Trial::has_fixed_end() const {
 Hypothesis Trial::hypothesis() const {
   Hypothesis hypothesis = hypothesis_;
   hypothesis.partially_optimized |= has_fixed_end();
-  if (field_) {
+  if (map_field_ != nullptr && map_field_->field().nodes() > 1) {
+    hypothesis.T_map_local = map_field_->poses();
+    hypothesis.objective = objective();
+  } else if (field_) {
     set_poses(field_->poses(), hypothesis);
     hypothesis.objective = objective();
   }
@@ -83,6 +190,8 @@ Hypothesis Trial::hypothesis() const {
 }
 
 double Trial::objective() const {
+  if (map_field_ != nullptr && map_field_->field().nodes() > 1)
+    return map_field_->field().objective();
   return field_ ? fixed_ + field_->objective() : hypothesis_.objective;
 }
 
@@ -137,22 +246,81 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
 }
 
 Eigen::Matrix3d Trial::covariance(int older, int map) {
+  if (map_field_ != nullptr) {
+    const std::vector<Pose2>& poses = map_field_->poses();
+    return in_frame_of_newer(map_field_->field().relative_covariance(older, map),
+                             between(poses[as_index(older)], poses[as_index(map)]));
+  }
   const auto node = [this](int m) { return std::max(0, m - (first_ > 0 ? first_ - 1 : 0)); };
   const std::vector<Pose2> nodes = field().poses();
   return in_frame_of_newer(field().relative_covariance(node(older), node(map)),
                            between(nodes[as_index(node(older))], nodes[as_index(node(map))]));
 }
 
+std::vector<NearMap> Trial::near_maps(int map, std::span<const double> reach_m, double sigmas) {
+  if (map == 0) return {};
+  if (map_field_ != nullptr) {
+    return NearMapSearch(*this, problem_.odometry, map_field_->poses(), map, reach_m, sigmas).run();
+  }
+  std::vector<NearMap> all;
+  for (const Eigen::Matrix3d& covariance : covariances_to(map)) {
+    all.push_back({static_cast<int>(all.size()), covariance});
+  }
+  return all;
+}
+
+Eigen::Matrix3d Trial::least_covariance(int map, int end) {
+  const std::vector<Pose2> all = poses();
+  Eigen::Matrix3d least = covariance(0, map);
+  const auto visit = [&](const auto& self, int first, int last) -> void {
+    if (first > last) return;
+    const int middle = first + (last - first) / 2;
+    const Eigen::Matrix3d here = covariance(middle, map);
+    if (position_sd(here) < position_sd(least)) least = here;
+    const double lever_m =
+        (all[as_index(middle)].translation() - all[as_index(map)].translation()).norm();
+    const auto may_be_less = [&](int side) {
+      return position_sd(here) - drift_m(problem_.odometry, side, middle, lever_m) <
+             position_sd(least);
+    };
+    if (may_be_less(last)) self(self, middle + 1, last);
+    if (may_be_less(first)) self(self, first, middle - 1);
+  };
+  visit(visit, 0, end - 1);
+  return least;
+}
+
+std::vector<Pose2> Trial::poses() const {
+  return map_field_ != nullptr ? map_field_->poses() : hypothesis().T_map_local;
+}
+
 void Trial::accept(int loop_closure, int alternative) {
   const auto k = as_index(loop_closure);
-  field().add(
-      in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
+  if (map_field_ != nullptr) {
+    field_.reset();
+    map_field_->accept(problem_, loop_closure, alternative);
+  } else {
+    field().add(
+        in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
+  }
   hypothesis_.chosen[k] = alternative;
   relinearise();
 }
 
-/// Linearises at the mode until it hardly moves, which takes a factorisation for each step.
+/// Linearises at the mode until it hardly moves, which takes a factorisation for each step, or in a
+/// map field the elimination of what moved.
 void Trial::relinearise() {
+  if (map_field_ != nullptr) {
+    double turn = map_field_->largest_turn();
+    for (int step = 0; turn > kTurnMax; ++step) {
+      const bool is_far = turn > kTurnFar || map_field_->is_mostly_far();
+      if (is_far || step == kLinearisations) return reoptimize(turn > kTurnFar);
+      map_field_->relinearise();
+      hypothesis_ = hypothesis();
+      turn = map_field_->largest_turn();
+    }
+    return;
+  }
   double turn = largest_turn(field().mode());
   for (int step = 0; turn > kTurnMax; ++step) {
     if (turn > kTurnFar || step == kLinearisations) return reoptimize(turn > kTurnFar);
@@ -178,9 +346,29 @@ void Trial::revoke(const std::vector<int>& loop_closures) {
   reoptimize();
 }
 
+/// Linearises at the mode until no map moves. False if it does not converge.
+bool Trial::settle() {
+  for (int step = 0; step < kFewSteps; ++step) {
+    if (map_field_->largest_turn() > kTurnFar || map_field_->is_mostly_far()) return false;
+    if (!map_field_->relinearise()) {
+      hypothesis_ = hypothesis();
+      return true;
+    }
+  }
+  return false;
+}
+
 void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_ = hypothesis();
   field_.reset();
+  if (map_field_ != nullptr && !from_scratch && !map_field_->is_mostly_far()) {
+    map_field_->follow(problem_, hypothesis_);
+    if (settle()) {
+      hypothesis_.partially_optimized = false;
+      return;
+    }
+    hypothesis_ = hypothesis();
+  }
   PoseGraph graph = graph_of(problem_, hypothesis_, first_);
   OptimizeParams params;
   params.rotation_initialization = from_scratch;
@@ -189,6 +377,7 @@ void Trial::reoptimize(bool from_scratch, int iterations_max) {
   hypothesis_.objective = fixed_ + optimize(graph, params).objective;
   set_poses(graph.poses, hypothesis_);
   hypothesis_.partially_optimized &= first_ > 0;
+  if (map_field_ != nullptr) map_field_->follow(problem_, hypothesis_);
 }
 
 }  // namespace adit

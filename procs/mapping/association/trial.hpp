@@ -5,13 +5,22 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/pose_graph/gaussian_field.hpp"
 #include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/map_field.hpp"
 
 namespace adit {
+
+/// An older local map that may be near a newer one.
+struct NearMap {
+  int older = 0;
+  /// Of the pose of the newer map in it: of (x, y, θ) in the frame of the newer.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
 
 /// A hypothesis that is being modified. Evaluating an association costs the solution for a few
 /// columns of the factor, accepting one a rank update, revoking an optimisation; the field is
@@ -22,6 +31,9 @@ class Trial {
   /// before `first` are held fixed, so that the cost depends on the size of the loop and not on
   /// that of the map.
   Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first = 0);
+  /// A trial of the complete map in `map_field`, which outlives this object and follows the
+  /// hypothesis, now and with each change: the cost depends on what differs.
+  Trial(const AssociationProblem& problem, Hypothesis hypothesis, MapField& map_field);
 
   /// The hypothesis with its current poses and objective; `cost` is set by the caller.
   [[nodiscard]] Hypothesis hypothesis() const;
@@ -42,11 +54,16 @@ class Trial {
   /// Increase of the objective by one more constraint: chi-square with three degrees of freedom if
   /// the constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
+    if (map_field_ != nullptr) return map_field_->field().objective_increase(constraint);
     return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
   }
   /// Covariance of the residual of one more constraint, if it is correct: of what is predicted and
   /// of what is measured.
   [[nodiscard]] Eigen::Matrix3d residual_covariance(const PoseConstraint& constraint) {
+    if (map_field_ != nullptr) {
+      return map_field_->field().predicted_covariance(constraint) +
+             measured_by(constraint).covariance;
+    }
     return field().predicted_covariance(in_graph_from(constraint, hypothesis_, first_)) +
            measured_by(constraint).covariance;
   }
@@ -63,8 +80,23 @@ class Trial {
   /// frame of `map`. Maps held fixed have no relative uncertainty.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
-  /// The same for one map.
+  /// The same for one map; in a map field without those of the others.
   [[nodiscard]] Eigen::Matrix3d covariance(int older, int map);
+
+  /// The maps before `map` of which something within `reach_m` of the origin, by map, may be within
+  /// the reach of `map`, in the gate of `sigmas` standard deviations of their relative position;
+  /// some others too. In a map field the cost depends on how many there are: a stretch of the path
+  /// is left out by the covariance of one of its maps and the odometry along it, which bounds that
+  /// of the others.
+  [[nodiscard]] std::vector<NearMap> near_maps(int map, std::span<const double> reach_m,
+                                               double sigmas);
+
+  /// Of the maps before `end`, the covariance as above of the one relative to which the position of
+  /// `map` is most certain; searched likewise.
+  [[nodiscard]] Eigen::Matrix3d least_covariance(int map, int end);
+
+  /// T_map_local of all maps.
+  [[nodiscard]] std::vector<Pose2> poses() const;
 
   /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);
@@ -85,12 +117,14 @@ class Trial {
   void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
   [[nodiscard]] bool has_fixed_end() const;
   void relinearise();
+  [[nodiscard]] bool settle();
 
   const AssociationProblem& problem_;
   Hypothesis hypothesis_;  ///< poses and objective after the last optimisation
   int first_;
   double fixed_ = 0.0;                  ///< part of the objective outside the field
   std::optional<GaussianField> field_;  ///< linearised at these poses; empty: not yet needed
+  MapField* map_field_ = nullptr;       ///< of the current hypothesis; answers what it can
 };
 
 }  // namespace adit

@@ -40,9 +40,11 @@ double heading_of(const Eigen::Matrix3d& R) { return std::atan2(R(1, 0), R(0, 0)
 
 }  // namespace
 
-void CloudMatching::add(const Cloud& cloud, int map, const Pose2& T_local_level, double z_local_m) {
+void CloudMatching::add(const Cloud& cloud, int session, int map, const Pose2& T_local_level,
+                        double z_local_m) {
   if (params_.stored_max == 0) return;
-  scans_.push_back({map, T_local_level, z_local_m, RegistrationCloud(cloud, params_.registration)});
+  scans_.push_back(
+      {session, map, T_local_level, z_local_m, RegistrationCloud(cloud, params_.registration)});
   while (scans_.size() > static_cast<std::size_t>(params_.stored_max)) scans_.pop_front();
 }
 
@@ -53,14 +55,10 @@ void CloudMatching::discard(int map) {
   }
 }
 
-std::vector<CloudMatch> CloudMatching::matches(int map, int first,
-                                               std::span<const PlacedLocalMap> placed) const {
-  const auto place_of = [&](const Scan& scan) -> const PlacedLocalMap& {
-    return placed[static_cast<std::size_t>(scan.map)];
-  };
+std::vector<CloudMatch> CloudMatching::matches(
+    int map, const std::function<PlacedLocalMap(int map)>& place_of) const {
   struct Pair {
     double distance_m;
-    const Scan* newer;
     const Scan* older;
     Pose2 T_older_newer;
     double rise_m;
@@ -68,24 +66,24 @@ std::vector<CloudMatch> CloudMatching::matches(int map, int first,
   std::vector<CloudMatch> found;
   for (const Scan& newer : scans_) {
     if (newer.map != map) continue;
+    const PlacedLocalMap newer_map = place_of(map);
+    const Pose2 T_map_newer = newer_map.T_map_local * newer.T_local_level;
     std::vector<Pair> pairs;
-    const Pose2 T_map_newer = place_of(newer).T_map_local * newer.T_local_level;
     for (const Scan& older : scans_) {
-      if (older.map >= map || older.map < first) continue;
-      const Pose2 T_older_newer =
-          between(place_of(older).T_map_local * older.T_local_level, T_map_newer);
+      if (older.map >= map || older.session != newer.session) continue;
+      const PlacedLocalMap older_map = place_of(older.map);
+      const Pose2 T_older_newer = between(older_map.T_map_local * older.T_local_level, T_map_newer);
       const double distance_m = T_older_newer.translation().norm();
       if (distance_m > params_.distance_max_m) continue;
-      const double rise_m =
-          place_of(newer).z_m + newer.z_local_m - place_of(older).z_m - older.z_local_m;
-      pairs.push_back({distance_m, &newer, &older, T_older_newer, rise_m});
+      pairs.push_back({distance_m, &older, T_older_newer,
+                       newer_map.z_m + newer.z_local_m - older_map.z_m - older.z_local_m});
     }
     std::ranges::stable_sort(pairs, {}, &Pair::distance_m);
     if (pairs.size() > static_cast<std::size_t>(params_.matched_max)) {
       pairs.resize(static_cast<std::size_t>(params_.matched_max));
     }
     for (const Pair& pair : pairs) {
-      auto matched = match(*pair.newer, *pair.older, pair.T_older_newer, pair.rise_m);
+      auto matched = match(newer, *pair.older, pair.T_older_newer, pair.rise_m);
       if (matched) found.push_back(std::move(*matched));
     }
   }

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "common/config/bounds.hpp"
@@ -83,17 +83,17 @@ class CloudMatching {
 
   /// Adds a 3D scan that was taken in a local map: pose of its frame level there, and its height
   /// above the origin of the local map [m]. Scans are added in order of time.
-  void add(const Cloud& cloud, int map, const Pose2& T_local_level, double z_local_m);
+  void add(const Cloud& cloud, int session, int map, const Pose2& T_local_level, double z_local_m);
   /// A local map was discarded, and the one after it has its id.
   void discard(int map);
 
-  /// Matches the 3D scans of a local map with earlier ones of other local maps from `first` on.
-  /// `placed`: all local maps up to this one.
-  [[nodiscard]] std::vector<CloudMatch> matches(int map, int first,
-                                                std::span<const PlacedLocalMap> placed) const;
+  /// Matches the 3D scans of a local map with earlier ones of other local maps of the same session.
+  [[nodiscard]] std::vector<CloudMatch> matches(
+      int map, const std::function<PlacedLocalMap(int map)>& place_of) const;
 
  private:
   struct Scan {
+    int session;
     int map;
     Pose2 T_local_level;
     double z_local_m;

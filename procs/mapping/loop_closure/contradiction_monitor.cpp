@@ -39,8 +39,9 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
                                   const WallsAround& walls_around, const SameLevel& same_level) {
   std::vector<bool> moved(T_map_local.size(), true);
   for (std::size_t i = 0; i < compared_at_.size(); ++i) {
-    moved[i] = has_moved(compared_at_[i], T_map_local[i], 0.5);
+    moved[i] = compared_at_[i] != T_map_local[i] && has_moved(compared_at_[i], T_map_local[i], 0.5);
   }
+  const std::size_t first_new = compared_at_.size();
   compared_at_.resize(T_map_local.size());
   for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
     is_level_.push_back(is_level(walls[i]));
@@ -55,6 +56,11 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
   for (const std::size_t newer : all_ids) {
     for (const std::size_t older : moved[newer] ? all_ids : moved_ids) {
       if (older >= newer) break;
+      const double reach_m = extents[older].reach_m() + extents[newer].reach_m();
+      const Eigen::Vector2d apart =
+          T_map_local[older].translation() - T_map_local[newer].translation();
+      const bool is_far = apart.squaredNorm() > reach_m * reach_m;
+      if (is_far && newer >= first_new) continue;
       compare(older, newer, walls, extents, between(T_map_local[older], T_map_local[newer]),
               walls_around);
     }
@@ -63,9 +69,10 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
     if (moved[i]) compared_at_[i] = T_map_local[i];
   }
   contradictions_.clear();
-  for (const auto& [key, pair] : pairs_) {
+  for (const auto& key : suspected_) {
     const auto [newer, older] = key;
-    if (pair.evidence < evidence_min_ || !same_level(older, newer, pair.T_older_newer)) continue;
+    const Pair& pair = pairs_.at(key);
+    if (!same_level(older, newer, pair.T_older_newer)) continue;
     contradictions_.push_back({older, newer, pair.evidence});
   }
 }
@@ -77,15 +84,18 @@ void ContradictionMonitor::compare(std::size_t older, std::size_t newer,
   const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
   if (!may_overlap(extents[older], extents[newer], T_older_newer)) {
     pairs_.erase(key);
+    suspected_.erase(key);
     return;
   }
   const auto [pair, is_new] = pairs_.try_emplace(key);
   if (!is_new && !has_moved(pair->second.T_older_newer, T_older_newer, 1.0)) return;
   pair->second = {T_older_newer, 0.0};
+  suspected_.erase(key);
   const double bound = contradiction_bound(walls[newer], walls[older], T_older_newer, params_);
   if (bound < evidence_min_) return;
   pair->second.evidence =
       evidence(walls_around(static_cast<int>(older)), walls[newer], T_older_newer);
+  if (pair->second.evidence >= evidence_min_) suspected_.insert(key);
 }
 
 /// Of both the older map alone and with its neighbours, in whose walls and free space it continues.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,6 +63,7 @@ class ContradictionMonitor {
   std::vector<bool> is_level_;                 ///< of each map
   std::vector<Pose2> compared_at_;             ///< T_map_local of each map
   std::map<std::pair<int, int>, Pair> pairs_;  ///< (newer, older) that may overlap
+  std::set<std::pair<int, int>> suspected_;    ///< of these, those with enough evidence
   std::vector<MapContradiction> contradictions_;
 };
 

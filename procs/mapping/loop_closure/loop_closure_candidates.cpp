@@ -139,12 +139,13 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
 }  // namespace
 
 std::vector<LoopClosureCandidate> loop_closure_candidates(
-    std::span<const Pose2> poses, std::span<const Eigen::Matrix3d> covariances,
-    std::span<const MapExtent> extents, const LoopClosureCandidatesParams& params) {
+    std::span<const Pose2> poses, std::span<const NearMap> near, std::span<const MapExtent> extents,
+    const LoopClosureCandidatesParams& params) {
   const int newest = static_cast<int>(poses.size()) - 1;
   std::vector<LoopClosureCandidate> possible;
-  for (int older = 0; older < newest - params.neighbours; ++older) {
-    const RelativePose predicted{between(poses[older], poses[newest]), covariances[older]};
+  for (const auto& [older, covariance] : near) {
+    if (older >= newest - params.neighbours) break;
+    const RelativePose predicted{between(poses[older], poses[newest]), covariance};
     const Overlap overlap =
         overlap_in_gate(extents[older], extents[newest], predicted, params.sigmas);
     if (overlap.largest < params.overlap_min) continue;
@@ -165,17 +166,15 @@ std::vector<LoopClosureCandidate> loop_closure_candidates(
 }
 
 std::vector<LoopClosureCandidate> thorough_candidates(std::span<const Pose2> poses,
-                                                      std::span<const Eigen::Matrix3d> covariances,
+                                                      std::span<const NearMap> near,
                                                       std::span<const MapExtent> extents,
                                                       const LoopClosureCandidatesParams& params) {
   constexpr int kMore = 4;
-  constexpr double kSds = 3.0;
   LoopClosureCandidatesParams more = params;
   more.most *= kMore;
-  std::vector<Eigen::Matrix3d> wide(covariances.begin(), covariances.end());
-  for (Eigen::Matrix3d& covariance : wide) covariance *= kSds * kSds;
-  std::vector<LoopClosureCandidate> found =
-      loop_closure_candidates(poses, covariances, extents, more);
+  std::vector<NearMap> wide(near.begin(), near.end());
+  for (NearMap& map : wide) map.covariance *= kThoroughSds * kThoroughSds;
+  std::vector<LoopClosureCandidate> found = loop_closure_candidates(poses, near, extents, more);
   for (const LoopClosureCandidate& candidate :
        loop_closure_candidates(poses, wide, extents, more)) {
     const bool is_found = std::ranges::any_of(

@@ -10,6 +10,7 @@
 
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
+#include "procs/mapping/association/trial.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
 
@@ -35,6 +36,8 @@ class MapExtent {
   /// The circle around all walls; radius 0 without walls.
   [[nodiscard]] const Eigen::Vector2d& centre() const { return centre_; }
   [[nodiscard]] double radius_m() const { return radius_m_; }
+  /// Distance from the origin within which all walls are.
+  [[nodiscard]] double reach_m() const { return centre_.norm() + radius_m_; }
 
  private:
   [[nodiscard]] bool covers(const Eigen::Vector2d& p) const;
@@ -74,19 +77,20 @@ struct LoopClosureCandidate {
 /// it may have observed again, at any pose within the gate of its relative pose (paper, section
 /// 2.2). Largest expected overlap first; of maps that are close in the chain only the best, so that
 /// each pass by the place is represented.
-///   poses:       T_map_local of all local maps
-///   covariances: for each older map, of T_older_newest as (x, y, θ) in the newest frame
-///   extents:     of all local maps
+///   poses:   T_map_local of all local maps
+///   near:    the older maps that may be near it, at least, in order; see `Trial::near_maps`
+///   extents: of all local maps
 std::vector<LoopClosureCandidate> loop_closure_candidates(
-    std::span<const Pose2> poses, std::span<const Eigen::Matrix3d> covariances,
-    std::span<const MapExtent> extents, const LoopClosureCandidatesParams& params);
+    std::span<const Pose2> poses, std::span<const NearMap> near, std::span<const MapExtent> extents,
+    const LoopClosureCandidatesParams& params);
 
 /// More of them, for when the likely ones were wrong, and then others farther from the prediction:
 /// some displacement was perhaps worse than it states, such as where a laser took rising ground for
 /// a wall. Its standard deviation is unknown; for these all are taken to be three times what they
-/// state.
+/// state. `near`: in a gate wider by `kThoroughSds`.
+constexpr double kThoroughSds = 3.0;
 std::vector<LoopClosureCandidate> thorough_candidates(std::span<const Pose2> poses,
-                                                      std::span<const Eigen::Matrix3d> covariances,
+                                                      std::span<const NearMap> near,
                                                       std::span<const MapExtent> extents,
                                                       const LoopClosureCandidatesParams& params);
 

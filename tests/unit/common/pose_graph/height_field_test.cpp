@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/pose_graph/height_field.hpp"
 
+#include <cstddef>
 #include <random>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -11,8 +13,6 @@ namespace adit {
 namespace {
 
 constexpr double kPitchSd = 0.005;
-
-PitchPrior unknown_pitch(int /*session*/) { return {0.0, kPitchSd}; }
 
 /// A chain of climbs; node i + 1 is `climb_m` above node i.
 std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, double forward_m) {
@@ -24,7 +24,7 @@ std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, doub
 }
 
 TEST(HeightField, AddsUpClimbs) {
-  const HeightField field(5, chain(5, 0.25, 0.01, 0.0), unknown_pitch);
+  const HeightField field(5, chain(5, 0.25, 0.01, 0.0), kPitchSd);
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(field.height_m(i), 0.25 * i, 1e-6);
     EXPECT_NEAR(field.variances_to(0)[i], 1e-4 * i, 1e-9);
@@ -33,7 +33,7 @@ TEST(HeightField, AddsUpClimbs) {
 }
 
 TEST(HeightField, ErrorOfThePitchAddsUpWithTheDistance) {
-  const HeightField field(3, chain(3, 0.0, 0.01, 50.0), unknown_pitch);
+  const HeightField field(3, chain(3, 0.0, 0.01, 50.0), kPitchSd);
   EXPECT_NEAR(field.variances_to(0)[2], 2e-4 + 0.25, 1e-6);  // (100 m · 5 mrad)²
 }
 
@@ -42,7 +42,7 @@ TEST(HeightField, ReturnToTheStartRevealsTheErrorOfThePitch) {
   auto constraints = chain(9, 0.0, 1e-3, 10.0);
   for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
   constraints.push_back({0, 8, 0.0, 1e-3, {}});  // the same ground
-  const HeightField field(9, constraints, unknown_pitch);
+  const HeightField field(9, constraints, kPitchSd);
   EXPECT_NEAR(field.pitch_error_rad(0), kError, 1e-5);
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-3);
 }
@@ -51,18 +51,27 @@ TEST(HeightField, CorrectsByWhatIsKnownOfThePitch) {
   constexpr double kError = 0.003;
   auto constraints = chain(9, 0.0, 1e-3, 10.0);
   for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
-  const HeightField field(9, constraints, [](int) { return PitchPrior{kError, 1e-4}; });
+  HeightField field(9, constraints, kPitchSd);
+  field.set_pitch_prior(0, {kError, 1e-4});
+  field.update();
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-6);
   EXPECT_NEAR(field.variance(0, 8), 8e-6 + 80.0 * 80.0 * 1e-8, 1e-9);
+
+  HeightField known_before(kPitchSd);
+  known_before.set_pitch_prior(0, {kError, 1e-4});
+  for (int node = 1; node < 9; ++node) known_before.add_node();
+  for (const HeightConstraint& climb : constraints) known_before.add(climb);
+  known_before.update();
+  EXPECT_NEAR(known_before.height_m(8), 0.0, 1e-6);
 }
 
 TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
-  const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, unknown_pitch);
+  const HeightField field(3, {{0, 1, 0.5, 0.01, {}}}, kPitchSd);
   EXPECT_NEAR(field.height_m(1), 0.5, 1e-6);
   EXPECT_NEAR(field.variances_to(0)[2], 1e6, 1.0);
-  EXPECT_EQ(HeightField().nodes(), 1);
-  EXPECT_EQ(HeightField().height_m(0), 0.0);
-  EXPECT_EQ(HeightField().variances_to(0).size(), 1);
+  EXPECT_EQ(HeightField(kPitchSd).nodes(), 1);
+  EXPECT_EQ(HeightField(kPitchSd).height_m(0), 0.0);
+  EXPECT_EQ(HeightField(kPitchSd).variances_to(0).size(), 1);
 }
 
 /// Against the dense solution of the same least squares problem.
@@ -77,7 +86,7 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
   }
   constraints.push_back({2, 9, 0.1, 0.03, {{{0, 3.0}, {1, -2.0}}}});
   constraints.push_back({0, 11, -0.2, 0.03, {}});
-  const HeightField field(kNodes, constraints, unknown_pitch);
+  const HeightField field(kNodes, constraints, kPitchSd);
 
   constexpr int kUnknowns = kNodes - 1 + 2;
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);
@@ -104,6 +113,47 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
   }
   EXPECT_NEAR(field.pitch_error_rad(0), solution[kNodes - 1], 1e-9);
   EXPECT_NEAR(field.pitch_error_rad(1), solution[kNodes], 1e-9);
+}
+
+TEST(HeightField, ThatChangedEqualsANewOne) {
+  constexpr int kNodes = 40;
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  HeightField field(kPitchSd);
+  std::vector<HeightConstraint> climbs;
+  std::vector<int> ids;
+  const auto expect_equal = [&](const std::vector<HeightConstraint>& constraints) {
+    field.update();
+    const HeightField expected(field.nodes(), constraints, kPitchSd);
+    for (int i = 0; i < field.nodes(); ++i) {
+      EXPECT_NEAR(field.height_m(i), expected.height_m(i), 1e-6);
+      EXPECT_NEAR(field.variance(0, i), expected.variance(0, i), 1e-8);
+      EXPECT_NEAR(field.variance(i, field.nodes() / 2), expected.variance(i, field.nodes() / 2),
+                  1e-8);
+    }
+    EXPECT_NEAR(field.pitch_error_rad(1), expected.pitch_error_rad(1), 1e-6);
+  };
+  const auto add = [&](const HeightConstraint& constraint) {
+    climbs.push_back(constraint);
+    ids.push_back(field.add(constraint));
+  };
+  for (int i = 1; i < kNodes; ++i) {
+    field.add_node();
+    add({i - 1, i, 0.1 * normal(random), 0.02, {{{i < 30 ? 0 : 1, 5.0}}}});
+    if (i % 7 == 0) add({i / 2, i, 0.1 * normal(random), 0.03, {}});
+    expect_equal(climbs);
+  }
+  for (int removed = 0; removed < 15; ++removed) {  // the second session too
+    const int newest = field.nodes() - 1;
+    for (std::size_t k = ids.size(); k-- > 0;) {
+      if (climbs[k].to != newest) continue;
+      field.remove(ids[k]);
+      ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(k));
+      climbs.erase(climbs.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    field.remove_newest_node();
+    expect_equal(climbs);
+  }
 }
 
 }  // namespace

@@ -62,8 +62,9 @@ TEST(MapHeights, TellLevelsApart) {
   EXPECT_TRUE(heights.same_level(0, 1, {kLengthM, 0.0, 0.0}, ramp.walls));
 
   const Ramp level(13, 0.0);
-  heights.update(level.maps, level.walls, {});
-  EXPECT_TRUE(heights.same_level(0, 12, T_across, level.walls));
+  MapHeights level_heights{MapHeightsParams{}};
+  level_heights.update(level.maps, level.walls, {});
+  EXPECT_TRUE(level_heights.same_level(0, 12, T_across, level.walls));
 }
 
 TEST(MapHeights, LevelsAreNotToldApartWithoutAnAttitude) {

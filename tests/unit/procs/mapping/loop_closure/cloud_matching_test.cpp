@@ -27,12 +27,13 @@ struct TwoScans {
   CloudMatching matching;
   std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{kApartM + 0.15, 0.0, 0.0}, 0.0}};
 
-  explicit TwoScans(const Rock& rock, const CloudMatchingParams& params = {}) : matching(params) {
-    matching.add(sweep(rock, Eigen::Isometry3d::Identity(), 1), 0, {}, 0.0);
-    matching.add(sweep(rock, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 1, {}, 0.0);
+  explicit TwoScans(const Rock& rock, const CloudMatchingParams& params = {}, int session = 0)
+      : matching(params) {
+    matching.add(sweep(rock, Eigen::Isometry3d::Identity(), 1), 0, 0, {}, 0.0);
+    matching.add(sweep(rock, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), session, 1, {}, 0.0);
   }
-  [[nodiscard]] std::vector<CloudMatch> matches(int first = 0) const {
-    return matching.matches(1, first, placed);
+  [[nodiscard]] std::vector<CloudMatch> matches(int map = 1) const {
+    return matching.matches(map, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
   }
 };
 
@@ -71,13 +72,14 @@ TEST(CloudMatching, RelatesTheOriginsOfTheLocalMaps) {
   const Pose2 T_local_first{1.0, 0.4, 0.6};
   const Pose2 T_local_second{2.0, -0.3, -0.4};
   CloudMatching matching{CloudMatchingParams{}};
-  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, T_local_first, 0.3);
-  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 1, T_local_second,
+  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, 0, T_local_first, 0.3);
+  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 0, 1, T_local_second,
                0.1);
   const Pose2 T_first_second = T_local_first * Pose2{kApartM, 0.0, 0.0} * T_local_second.inverse();
   const Pose2 T_map_first{5.0, 6.0, 1.0};
   const std::vector<PlacedLocalMap> placed{{T_map_first, 2.0}, {T_map_first * T_first_second, 2.2}};
-  const auto matches = matching.matches(1, 0, placed);
+  const auto matches =
+      matching.matches(1, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
   ASSERT_EQ(matches.size(), 1U);
   const Pose2 error =
       between(T_first_second, matches[0].loop_closure.alternatives.front().T_older_newer);
@@ -89,13 +91,14 @@ TEST(CloudMatching, ShowsTheTiltOfInclinedLevelFrames) {
   const Eigen::Vector2d e(0.01, 0.006);  // of both, about their own axes
   constexpr double kTurn = 0.4;
   CloudMatching matching{CloudMatchingParams{}};
-  matching.add(sweep(rough_tunnel, pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 1), 0, {}, 0.0);
+  matching.add(sweep(rough_tunnel, pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 1), 0, 0, {}, 0.0);
   matching.add(
       sweep(rough_tunnel,
             pose(2.0, 0.0, 0.0, 0.0, 0.0, kTurn) * pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 2),
-      1, {}, 0.0);
+      0, 1, {}, 0.0);
   const std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{2.0, 0.0, kTurn}, 0.0}};
-  const auto matches = matching.matches(1, 0, placed);
+  const auto matches =
+      matching.matches(1, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
   ASSERT_EQ(matches.size(), 1U);
   const Eigen::Vector2d expected = -(e - Eigen::Rotation2Dd(-kTurn).toRotationMatrix() * e);
   EXPECT_LT((matches[0].tilt_rad - expected).norm(), 0.003);
@@ -103,7 +106,7 @@ TEST(CloudMatching, ShowsTheTiltOfInclinedLevelFrames) {
 }
 
 TEST(CloudMatching, MatchesNeitherEarlierSessionsNorScansFarAway) {
-  EXPECT_TRUE(TwoScans(rough_tunnel).matches(1).empty());
+  EXPECT_TRUE(TwoScans(rough_tunnel, {}, 1).matches().empty());
   CloudMatchingParams params;
   params.distance_max_m = kApartM - 1.0;
   EXPECT_TRUE(TwoScans(rough_tunnel, params).matches().empty());
@@ -120,8 +123,8 @@ TEST(CloudMatching, StoresALimitedNumberOfScans) {
 TEST(CloudMatching, ADiscardedLocalMapTakesItsScansWithIt) {
   TwoScans scans(rough_tunnel);
   scans.matching.discard(0);  // the second local map has its id
-  EXPECT_TRUE(scans.matching.matches(0, 0, scans.placed).empty());
-  EXPECT_TRUE(scans.matching.matches(1, 0, scans.placed).empty());
+  EXPECT_TRUE(scans.matches(0).empty());
+  EXPECT_TRUE(scans.matches(1).empty());
 }
 
 }  // namespace

@@ -20,20 +20,20 @@ Eigen::Matrix3d sure_to(double sd_m) {
 /// A path of local maps in a long tunnel, all with the same walls.
 struct MappedPath {
   std::vector<Pose2> poses;
-  std::vector<Eigen::Matrix3d> covariances;
+  std::vector<NearMap> near;
   std::vector<MapExtent> extents;
 
   void add(const Pose2& T_map_local, double sd_m) {
     static const MapExtent extent(test::walls_of(test::straight_tunnel(20.0, 3.0),
                                                  {-2.5, 0.0, 0.0}));  // 20 m by 3 m around it
     poses.push_back(T_map_local);
-    covariances.push_back(sure_to(sd_m));
+    near.push_back({static_cast<int>(near.size()), sure_to(sd_m)});
     extents.push_back(extent);
   }
 
   [[nodiscard]] std::vector<int> older(const LoopClosureCandidatesParams& params = {}) const {
     std::vector<int> found;
-    for (const auto& c : loop_closure_candidates(poses, covariances, extents, params)) {
+    for (const auto& c : loop_closure_candidates(poses, near, extents, params)) {
       found.push_back(c.older);
     }
     return found;
@@ -73,7 +73,7 @@ TEST(LoopClosureCandidates, AreFartherAwayWhenThorough) {
   const MappedPath mapped = out_and_back(28.0, 4.0);
   const auto outbound = [](int older) { return older < 10; };
   EXPECT_TRUE(std::ranges::none_of(mapped.older(), outbound));
-  const auto found = thorough_candidates(mapped.poses, mapped.covariances, mapped.extents, {});
+  const auto found = thorough_candidates(mapped.poses, mapped.near, mapped.extents, {});
   const auto far = std::ranges::find_if(found, outbound, &LoopClosureCandidate::older);
   ASSERT_NE(far, found.end());
   EXPECT_NEAR(far->predicted.covariance(0, 0), 9.0 * 4.0 * 4.0, 1e-9);
@@ -86,7 +86,7 @@ TEST(LoopClosureCandidates, AreTheLikelyOnesFirstWhenThorough) {
   more.most *= 4;
   const std::vector<int> likely = mapped.older(more);
   ASSERT_FALSE(likely.empty());
-  const auto found = thorough_candidates(mapped.poses, mapped.covariances, mapped.extents, {});
+  const auto found = thorough_candidates(mapped.poses, mapped.near, mapped.extents, {});
   ASSERT_GE(found.size(), likely.size());
   for (std::size_t i = 0; i < likely.size(); ++i) EXPECT_EQ(found[i].older, likely[i]);
   EXPECT_NEAR(found.front().predicted.covariance(0, 0), 4.0 * 4.0, 1e-9);

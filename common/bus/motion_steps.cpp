@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-/// Of a message on its way: two that are sent apart may arrive together.
+/// Two messages that are sent apart may arrive together.
 constexpr double kArrivalJitterS = 1.0;
 
 double distance_m(const StreamPose& a, const StreamPose& b) {

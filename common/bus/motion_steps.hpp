@@ -32,8 +32,8 @@ inline StreamPose stream_pose(const ScanMatch& match) {
 
 /// Monitors the poses that one subscription receives. One that no vehicle reaches from the pose
 /// before is rejected: in the time between their stamps, and in that between their arrivals, since
-/// a stamp may be wrong too. When the poses continue from there, the frame was corrected or began
-/// anew, as after a restart of its sender, and they are followed; within a known frame only a
+/// a stamp may be wrong too. When the poses continue from there, the frame was corrected or reset,
+/// as after a restart of its sender, and they are followed; within a known frame only a
 /// correction that a search can have found, since a map that was built in it cannot follow a
 /// farther one.
 class MotionSteps {

@@ -7,11 +7,13 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mission.hpp"
@@ -23,22 +25,20 @@ namespace adit::fuzz {
 namespace {
 
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
-constexpr std::size_t kBurstOneIn = 4;     // steps
-constexpr int kBurstLength = 16;           // messages
+constexpr std::size_t kBurstOneIn = 3;     // steps
+constexpr int kBurstLength = 64;           // messages
 constexpr std::int64_t kSampleUses = 200;  // mutations of a sample before the next one
 constexpr std::size_t kFieldsOneIn = 4;    // all but one in so many mutate a field, the rest bytes
 constexpr std::int64_t kRecoveryUs = 4'000'000;
-constexpr double kSilenceMaxS = 2.0;  // of an output that is periodic
+constexpr double kAgeMaxS = 2.0;  // of an output that is periodic
 constexpr double kTolerance = 1e-9;
 
 /// What the stages publish periodically, whatever the mission does.
 constexpr std::array kPeriodic{channels::kPose, channels::kScanMatch, channels::kStop,
                                channels::kPhase};
 
-/// Orders that end the mission, and the outcome of the simulated run, are mutated only rarely.
+/// Orders, which end the mission, are rare.
 constexpr std::size_t kOrderOneIn = 500;
-
-bool is_order(std::string_view channel) { return channel == channels::kMissionOrder; }
 
 }  // namespace
 
@@ -59,6 +59,26 @@ FuzzedMission::FuzzedMission(const Site& site, const std::filesystem::path& fold
        configure_pipeline({}, params_.lasers, params_.vehicle, folder)) {
     stages_.push_back(node.stage);
     nodes_.push_back(std::make_unique<HostedNode>(bus_, node));
+  }
+  find_subscribed();
+}
+
+/// The channels of a known type that a stage or the simulator subscribes to.
+void FuzzedMission::find_subscribed() {
+  // Those with more than one channel.
+  const std::array more{std::pair(channels::kLaserFront, channels::kLaserRear),
+                        std::pair(channels::kTiltFront, channels::kTiltRear),
+                        std::pair(channels::kTiltCommandFront, channels::kTiltCommandRear)};
+  for (const auto& [channel, other] : more)
+    samples_[std::string(other)] = samples_.at(std::string(channel));
+  std::set<std::string> channels;
+  const auto add = [&channels](const std::vector<SubscriptionStats>& all) {
+    for (const SubscriptionStats& stats : all) channels.insert(stats.channel);
+  };
+  add(sim_host_.subscription_stats());
+  for (const auto& node : nodes_) add(node->subscription_stats());
+  for (const std::string& channel : channels) {
+    if (samples_.contains(channel)) subscribed_.push_back(channel);
   }
 }
 
@@ -86,8 +106,9 @@ void FuzzedMission::observe(const ReceivedMessage& message) {
 }
 
 void FuzzedMission::observe_heartbeat(std::span<const std::uint8_t> bytes) {
-  const auto heartbeat = decode<heartbeat_t>(bytes);
-  if (heartbeat) last_heartbeat_[heartbeat->stage] = bus_.now_utime();
+  const auto message = decode<heartbeat_t>(bytes);
+  if (!message) return;
+  if (const auto heartbeat = from_message(*message)) last_heartbeat_[heartbeat->stage] = *heartbeat;
 }
 
 void FuzzedMission::observe_phase(std::span<const std::uint8_t> bytes) {
@@ -117,17 +138,16 @@ void FuzzedMission::advance() {
 int FuzzedMission::step() {
   advance();
   if (below(kBurstOneIn) != 0) return 0;
-  send_burst();
-  return kBurstLength;
+  return send_burst();
 }
 
 /// Messages of one channel.
-void FuzzedMission::send_burst() {
-  auto chosen = samples_.begin();
-  do {
-    chosen = std::next(samples_.begin(), static_cast<std::ptrdiff_t>(below(samples_.size())));
-  } while (is_order(chosen->first) && below(kOrderOneIn) != 0);
-  for (int i = 0; i < kBurstLength; ++i) send(chosen->first, chosen->second);
+int FuzzedMission::send_burst() {
+  const std::string& channel = subscribed_[below(subscribed_.size())];
+  if (channel == channels::kMissionOrder && below(kOrderOneIn) != 0) return 0;
+  Sample& sample = samples_.at(channel);
+  for (int i = 0; i < kBurstLength; ++i) send(channel, sample);
+  return kBurstLength;
 }
 
 void FuzzedMission::send(const std::string& channel, Sample& sample) {
@@ -159,32 +179,41 @@ Bytes FuzzedMission::mutated(const Sample& sample) {
 
 std::map<std::string, ChannelCounts, std::less<>> FuzzedMission::counts() const {
   auto counts = counts_;
-  for (const auto& node : nodes_) {
-    for (const SubscriptionStats& stats : node->subscription_stats()) {
+  const auto add = [&counts](const std::vector<SubscriptionStats>& all) {
+    for (const SubscriptionStats& stats : all) {
       const auto found = counts.find(stats.channel);
       if (found == counts.end()) continue;
       ++found->second.subscriptions;
       found->second.rejected += stats.rejected;
     }
-  }
+  };
+  add(sim_host_.subscription_stats());
+  for (const auto& node : nodes_) add(node->subscription_stats());
   return counts;
 }
 
-std::vector<std::string> FuzzedMission::recover() {
+std::vector<std::string> FuzzedMission::recover(const std::function<void()>& alive) {
   const std::int64_t end = bus_.now_utime() + kRecoveryUs;
-  while (bus_.now_utime() < end) advance();
+  while (bus_.now_utime() < end) {
+    alive();
+    advance();
+  }
   std::vector<std::string> wrong;
   for (const std::string_view channel : kPeriodic) {
     const auto last = last_utime_.find(channel);
-    const double silence_s =
+    const double age_s =
         seconds(bus_.now_utime() - (last == last_utime_.end() ? kStartUtime : last->second));
-    if (silence_s > kSilenceMaxS)
-      wrong.push_back(fmt::format("no {} for {:.1f} s", channel, silence_s));
+    if (age_s > kAgeMaxS) wrong.push_back(fmt::format("no {} for {:.1f} s", channel, age_s));
   }
   for (const std::string& stage : stages_) {
     const auto last = last_heartbeat_.find(stage);
-    if (last == last_heartbeat_.end() || seconds(bus_.now_utime() - last->second) > kSilenceMaxS)
+    if (last == last_heartbeat_.end() || seconds(bus_.now_utime() - last->second.utime) > kAgeMaxS)
       wrong.push_back(fmt::format("no heartbeat of {}", stage));
+  }
+  if (wrong.empty()) return wrong;
+  for (const auto& [stage, heartbeat] : last_heartbeat_) {
+    if (!heartbeat.health.reason.empty())
+      wrong.push_back(fmt::format("{} reports: {}", stage, heartbeat.health.reason));
   }
   return wrong;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -13,6 +14,7 @@
 
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/node_host.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
@@ -40,9 +42,9 @@ class FuzzedMission {
   /// Advances the simulation, and sends messages in bursts. Returns how many.
   int step();
 
-  /// Advances the simulation without mutated messages, after which every stage must work. Returns
-  /// what does not, one clause each.
-  std::vector<std::string> recover();
+  /// Advances the simulation without mutated messages for four seconds, after which every stage
+  /// must work. Returns what does not, one clause each. Calls `alive` at each step.
+  std::vector<std::string> recover(const std::function<void()>& alive);
 
   /// Commands of the stages beyond the limits of the vehicle, and exceptions of handlers, one
   /// clause each.
@@ -69,7 +71,8 @@ class FuzzedMission {
   void observe_phase(std::span<const std::uint8_t> bytes);
   void check_command(std::span<const std::uint8_t> bytes);
   void advance();
-  void send_burst();
+  void find_subscribed();
+  int send_burst();
   void send(const std::string& channel, Sample& sample);
   [[nodiscard]] Bytes mutated(const Sample& sample);
   [[nodiscard]] std::size_t below(std::size_t end);
@@ -83,9 +86,10 @@ class FuzzedMission {
   std::vector<std::string> stages_;
   std::vector<std::unique_ptr<HostedNode>> nodes_;
   Mutator mutator_;
-  std::map<std::string, Sample, std::less<>> samples_;           ///< by channel
-  std::map<std::string, std::int64_t, std::less<>> last_utime_;  ///< of output, by channel
-  std::map<std::string, std::int64_t, std::less<>> last_heartbeat_;
+  std::map<std::string, Sample, std::less<>> samples_;            ///< by channel
+  std::vector<std::string> subscribed_;                           ///< channels
+  std::map<std::string, std::int64_t, std::less<>> last_utime_;   ///< of output, by channel
+  std::map<std::string, Heartbeat, std::less<>> last_heartbeat_;  ///< by stage
   std::map<std::string, ChannelCounts, std::less<>> counts_;
   std::vector<std::string> bad_commands_;
   bool injecting_ = false;

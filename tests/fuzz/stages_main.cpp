@@ -64,7 +64,7 @@ std::int64_t run_mission(const Site& site, std::int64_t first, std::int64_t case
     if (done < checked + kCasesPerCheck) continue;
     checked = done;
     if (mission.is_over()) break;
-    for (const std::string& wrong : mission.recover()) {
+    for (const std::string& wrong : mission.recover([&] { watch(first + done); })) {
       if (!mission.is_over()) outcome.failures.push_back(std::to_string(first) + ": " + wrong);
     }
   }

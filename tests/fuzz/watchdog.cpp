@@ -19,7 +19,8 @@ namespace {
 constexpr int kLimitSeconds = 5;
 
 std::atomic<std::int64_t> current{-1};
-std::int64_t last_case = -1;
+std::atomic<std::int64_t> calls{0};
+std::int64_t last_calls = -1;
 int seconds_on_case = 0;
 std::string_view command_line;
 
@@ -43,8 +44,8 @@ void on_crash(int signal) {
 }
 
 void on_second(int) {
-  seconds_on_case = current == last_case ? seconds_on_case + 1 : 0;
-  last_case = current;
+  seconds_on_case = calls == last_calls ? seconds_on_case + 1 : 0;
+  last_calls = calls;
   if (seconds_on_case < kLimitSeconds) return;
   print_line("a case exceeds the time limit");
   print_case();
@@ -66,6 +67,9 @@ void start_watchdog(std::string_view command) {
   setitimer(ITIMER_REAL, &each_second, nullptr);
 }
 
-void watch(std::int64_t number) { current = number; }
+void watch(std::int64_t number) {
+  current = number;
+  ++calls;
+}
 
 }  // namespace adit::fuzz

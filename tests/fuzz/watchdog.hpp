@@ -12,7 +12,7 @@ namespace adit::fuzz {
 /// which must stay valid until the process ends.
 void start_watchdog(std::string_view command);
 
-/// Sets the number of the current case.
+/// Sets the number of the current case, which begins or makes progress.
 void watch(std::int64_t number);
 
 }  // namespace adit::fuzz

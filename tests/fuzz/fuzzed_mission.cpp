@@ -25,12 +25,13 @@ namespace adit::fuzz {
 namespace {
 
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
-constexpr std::size_t kBurstOneIn = 3;     // steps
+constexpr std::size_t kBurstOneIn = 2;     // steps
 constexpr int kBurstLength = 64;           // messages
 constexpr std::int64_t kSampleUses = 200;  // mutations of a sample before the next one
 constexpr std::size_t kFieldsOneIn = 4;    // all but one in so many mutate a field, the rest bytes
-constexpr std::int64_t kRecoveryUs = 4'000'000;
-constexpr double kAgeMaxS = 2.0;  // of an output that is periodic
+constexpr std::int64_t kRecoveryUs = 2'000'000;
+constexpr std::int64_t kRecoveryMaxUs = 12'000'000;
+constexpr double kAgeMaxS = 1.5;  // of an output that is periodic
 constexpr double kTolerance = 1e-9;
 
 /// What the stages publish periodically, whatever the mission does.
@@ -63,19 +64,18 @@ FuzzedMission::FuzzedMission(const Site& site, const std::filesystem::path& fold
   find_subscribed();
 }
 
-/// The channels of a known type that a stage or the simulator subscribes to.
+/// The channels of a known type that a stage subscribes to. Not the tilt commands, which the
+/// simulated actuators obey: with both lasers tilted there is no pose.
 void FuzzedMission::find_subscribed() {
   // Those with more than one channel.
   const std::array more{std::pair(channels::kLaserFront, channels::kLaserRear),
-                        std::pair(channels::kTiltFront, channels::kTiltRear),
-                        std::pair(channels::kTiltCommandFront, channels::kTiltCommandRear)};
+                        std::pair(channels::kTiltFront, channels::kTiltRear)};
   for (const auto& [channel, other] : more)
     samples_[std::string(other)] = samples_.at(std::string(channel));
   std::set<std::string> channels;
   const auto add = [&channels](const std::vector<SubscriptionStats>& all) {
     for (const SubscriptionStats& stats : all) channels.insert(stats.channel);
   };
-  add(sim_host_.subscription_stats());
   for (const auto& node : nodes_) add(node->subscription_stats());
   for (const std::string& channel : channels) {
     if (samples_.contains(channel)) subscribed_.push_back(channel);
@@ -193,29 +193,39 @@ std::map<std::string, ChannelCounts, std::less<>> FuzzedMission::counts() const 
 }
 
 std::vector<std::string> FuzzedMission::recover(const std::function<void()>& alive) {
-  const std::int64_t end = bus_.now_utime() + kRecoveryUs;
-  while (bus_.now_utime() < end) {
-    alive();
-    advance();
-  }
-  std::vector<std::string> wrong;
+  std::vector<std::string> missing;
+  const std::int64_t end = bus_.now_utime() + kRecoveryMaxUs;
+  do {
+    const std::int64_t next = bus_.now_utime() + kRecoveryUs;
+    while (bus_.now_utime() < next) {
+      alive();
+      advance();
+    }
+    missing = missing_output();
+  } while (!missing.empty() && bus_.now_utime() < end);
+  return missing;
+}
+
+/// Periodic output of the stages that is old. With it, what the stages report.
+std::vector<std::string> FuzzedMission::missing_output() const {
+  std::vector<std::string> missing;
   for (const std::string_view channel : kPeriodic) {
     const auto last = last_utime_.find(channel);
     const double age_s =
         seconds(bus_.now_utime() - (last == last_utime_.end() ? kStartUtime : last->second));
-    if (age_s > kAgeMaxS) wrong.push_back(fmt::format("no {} for {:.1f} s", channel, age_s));
+    if (age_s > kAgeMaxS) missing.push_back(fmt::format("no {} for {:.1f} s", channel, age_s));
   }
   for (const std::string& stage : stages_) {
     const auto last = last_heartbeat_.find(stage);
     if (last == last_heartbeat_.end() || seconds(bus_.now_utime() - last->second.utime) > kAgeMaxS)
-      wrong.push_back(fmt::format("no heartbeat of {}", stage));
+      missing.push_back(fmt::format("no heartbeat of {}", stage));
   }
-  if (wrong.empty()) return wrong;
+  if (missing.empty()) return missing;
   for (const auto& [stage, heartbeat] : last_heartbeat_) {
     if (!heartbeat.health.reason.empty())
-      wrong.push_back(fmt::format("{} reports: {}", stage, heartbeat.health.reason));
+      missing.push_back(fmt::format("{} reports: {}", stage, heartbeat.health.reason));
   }
-  return wrong;
+  return missing;
 }
 
 std::vector<std::string> FuzzedMission::failures() const {

@@ -42,8 +42,9 @@ class FuzzedMission {
   /// Advances the simulation, and sends messages in bursts. Returns how many.
   int step();
 
-  /// Advances the simulation without mutated messages for four seconds, after which every stage
-  /// must work. Returns what does not, one clause each. Calls `alive` at each step.
+  /// Advances the simulation without mutated messages until every stage works, from two to twelve
+  /// seconds: a time stamp in the future delays later ones. Returns what does not work then, one
+  /// clause each. Calls `alive` at each step.
   std::vector<std::string> recover(const std::function<void()>& alive);
 
   /// Commands of the stages beyond the limits of the vehicle, and exceptions of handlers, one
@@ -71,6 +72,7 @@ class FuzzedMission {
   void observe_phase(std::span<const std::uint8_t> bytes);
   void check_command(std::span<const std::uint8_t> bytes);
   void advance();
+  [[nodiscard]] std::vector<std::string> missing_output() const;
   void find_subscribed();
   int send_burst();
   void send(const std::string& channel, Sample& sample);

@@ -23,8 +23,10 @@
 namespace adit::fuzz {
 namespace {
 
-constexpr std::int64_t kCasesPerMission = 20'000;
-constexpr std::int64_t kCasesPerCheck = 2'000;
+constexpr std::int64_t kCasesPerMission = 20'480;  // a multiple of a burst
+constexpr int kLimitSeconds =
+    60;  // of a message, with sanitizers: a search for a path takes longest
+constexpr std::int64_t kCasesPerCheck = 10'240;
 
 struct Options {
   std::int64_t cases = 100'000;
@@ -119,6 +121,6 @@ int main(int argc, char** argv) {
   app.add_option("--seed", options.seed, "Random seed")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   const std::string command = std::string(argv[0]) + " --seed " + std::to_string(options.seed);
-  adit::fuzz::start_watchdog(command);
+  adit::fuzz::start_watchdog(command, adit::fuzz::kLimitSeconds);
   return adit::fuzz::run(options);
 }

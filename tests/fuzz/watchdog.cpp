@@ -16,7 +16,7 @@ extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)())
 namespace adit::fuzz {
 namespace {
 
-constexpr int kLimitSeconds = 5;
+int limit_seconds = 5;
 
 std::atomic<std::int64_t> current{-1};
 std::atomic<std::int64_t> calls{0};
@@ -46,7 +46,7 @@ void on_crash(int signal) {
 void on_second(int) {
   seconds_on_case = calls == last_calls ? seconds_on_case + 1 : 0;
   last_calls = calls;
-  if (seconds_on_case < kLimitSeconds) return;
+  if (seconds_on_case < limit_seconds) return;
   print_line("a case exceeds the time limit");
   print_case();
   _exit(1);
@@ -54,7 +54,8 @@ void on_second(int) {
 
 }  // namespace
 
-void start_watchdog(std::string_view command) {
+void start_watchdog(std::string_view command, int limit_s) {
+  limit_seconds = limit_s;
   command_line = command;
   if (__sanitizer_set_death_callback) {
     __sanitizer_set_death_callback(print_case);

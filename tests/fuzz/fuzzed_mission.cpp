@@ -238,6 +238,8 @@ std::vector<std::string> FuzzedMission::failures() const {
   }
   if (sim_host_.failures().count > 0)
     failures.push_back("failure of the simulator: " + sim_host_.failures().last);
+  const std::string& collision = sim_.simulation().state().failure;
+  if (!collision.empty()) failures.push_back("the vehicle has failed: " + collision);
   return failures;
 }
 

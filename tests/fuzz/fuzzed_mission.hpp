@@ -47,8 +47,8 @@ class FuzzedMission {
   /// clause each. Calls `alive` at each step.
   std::vector<std::string> recover(const std::function<void()>& alive);
 
-  /// Commands of the stages beyond the limits of the vehicle, and exceptions of handlers, one
-  /// clause each.
+  /// Commands of the stages beyond the limits of the vehicle, exceptions of handlers, and a
+  /// collision, one clause each.
   [[nodiscard]] std::vector<std::string> failures() const;
 
   /// Whether the mission has ended, after which nothing happens anymore.

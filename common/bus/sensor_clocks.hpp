@@ -68,18 +68,12 @@ class SensorClocks {
 template <class Msg, class TypedHandler>
 SubscriptionId subscribe_measured(Bus& bus, SensorClocks& clocks, std::string_view channel,
                                   Delivery delivery, TypedHandler handler) {
-  return bus.subscribe(channel, delivery,
-                       [&clocks, channel = std::string(channel), handler = std::move(handler)](
-                           const ReceivedMessage& received) mutable -> std::string_view {
-                         const Result<Msg> message = decode<Msg>(received.bytes);
-                         if (!message) return message.rejection();
-                         const auto value = from_message(*message);
-                         if (!value) return value.rejection();
-                         const std::string_view rejection =
-                             clocks.check(channel, value->utime, received.utime);
-                         if (rejection.empty()) handler(*value);
-                         return rejection;
-                       });
+  return subscribe_checked<Msg>(
+      bus, channel, delivery,
+      [&clocks, channel = std::string(channel)](const auto& value, std::int64_t arrival_utime) {
+        return clocks.check(channel, value.utime, arrival_utime);
+      },
+      std::move(handler));
 }
 
 }  // namespace adit

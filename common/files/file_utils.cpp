@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <system_error>
 
 #include <unistd.h>
 
+#include "common/files/file_error.hpp"
 #include "common/files/gzip_file.hpp"
 #include "common/files/new_file.hpp"
 
@@ -21,9 +21,8 @@ namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
 
-std::runtime_error too_large(const fs::path& path, std::size_t bytes_max) {
-  return std::runtime_error(path.string() + ": larger than " + std::to_string(bytes_max) +
-                            " bytes");
+FileError too_large(const fs::path& path, std::size_t bytes_max) {
+  return FileError(path.string() + ": larger than " + std::to_string(bytes_max) + " bytes");
 }
 
 /// Reads by `read_chunk(bytes, count)`, which returns the number of bytes read, 0 at the end.
@@ -46,10 +45,10 @@ std::string read_text_file(const fs::path& path, std::size_t bytes_max) {
   std::error_code error;
   std::ifstream file;
   if (!fs::is_directory(path, error)) file.open(path, std::ios::binary);
-  if (!file.is_open()) throw std::runtime_error("cannot read " + path.string());
+  if (!file.is_open()) throw FileError("cannot read " + path.string());
   return read_all(path, bytes_max, [&](char* bytes, std::size_t count) {
     file.read(bytes, static_cast<std::streamsize>(count));
-    if (file.bad()) throw std::runtime_error("cannot read " + path.string());
+    if (file.bad()) throw FileError("cannot read " + path.string());
     return static_cast<std::size_t>(file.gcount());
   });
 }
@@ -60,7 +59,7 @@ std::string read_gzip_file(const fs::path& path, std::size_t bytes_max) {
     return file.read({bytes, count});
   });
   if (!file.damage().empty()) {
-    throw std::runtime_error(path.string() + ": the compressed file is corrupt");
+    throw FileError(path.string() + ": the compressed file is corrupt");
   }
   return text;
 }
@@ -88,7 +87,7 @@ void finish_standard_output() {
   const bool complete = std::cout.flush().good() && std::fflush(stdout) == 0;
   const int copy = dup(STDOUT_FILENO);  // network file systems report errors when closing
   if (!complete || (copy >= 0 && close(copy) != 0)) {
-    throw std::runtime_error("cannot write to standard output");
+    throw FileError("cannot write to standard output");
   }
 }
 

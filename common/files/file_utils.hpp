@@ -12,7 +12,7 @@ namespace adit {
 /// A size that no text file of positions, graphs or settings reaches [bytes].
 constexpr std::size_t kTextFileBytesMax = std::size_t{512} << 20;
 
-/// The content of a file, a device or a pipe. Throws std::runtime_error with the path if it cannot
+/// The content of a file, a device or a pipe. Throws FileError with the path if it cannot
 /// be read or has more than `bytes_max` bytes.
 std::string read_text_file(const std::filesystem::path& path,
                            std::size_t bytes_max = kTextFileBytesMax);
@@ -22,7 +22,7 @@ std::string read_text_file(const std::filesystem::path& path,
 std::string read_gzip_file(const std::filesystem::path& path,
                            std::size_t bytes_max = kTextFileBytesMax);
 
-/// Replaces the content of the file, as a whole (NewFile). Throws std::runtime_error with the path
+/// Replaces the content of the file, as a whole (NewFile). Throws FileError with the path
 /// if the file cannot be written.
 void write_text_file(std::string_view text, const std::filesystem::path& path);
 
@@ -33,7 +33,7 @@ void write_text_file(std::string_view text, const std::filesystem::path& path);
 std::filesystem::path find_installed_file(const std::filesystem::path& path,
                                           const std::string& folder);
 
-/// Flushes standard output. Throws std::runtime_error if anything written to it was lost: a disk or
+/// Flushes standard output. Throws FileError if anything written to it was lost: a disk or
 /// a device that is full. A program that ends without it can lose its result and exit with 0.
 void finish_standard_output();
 

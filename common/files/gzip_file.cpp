@@ -3,11 +3,12 @@
 #include "common/files/gzip_file.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <zlib.h>
+
+#include "common/files/file_error.hpp"
 
 namespace adit {
 namespace {
@@ -29,7 +30,7 @@ void GzipFile::End::operator()(z_stream_s* stream) const {
 GzipFile::GzipFile(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) file_.open(path, std::ios::binary);
-  if (!file_.is_open()) throw std::runtime_error("cannot read " + path.string());
+  if (!file_.is_open()) throw FileError("cannot read " + path.string());
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (!error) size_bytes_ = bytes;
   fill();

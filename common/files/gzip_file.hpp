@@ -19,7 +19,7 @@ namespace adit {
 /// before an error and takes a damaged member for the end of the file.
 class GzipFile {
  public:
-  /// Throws std::runtime_error if the file cannot be opened.
+  /// Throws FileError if the file cannot be opened.
   explicit GzipFile(const std::filesystem::path& path);
   ~GzipFile();
   GzipFile(GzipFile&&) noexcept;

@@ -4,13 +4,14 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <stdexcept>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "common/files/file_error.hpp"
 
 namespace adit {
 namespace {
@@ -84,22 +85,21 @@ void LockedFile::rename(const std::filesystem::path& path) {
 }
 
 void LockedFile::fail(const std::string& what, int error) const {
-  throw std::runtime_error(path_.string() + ": " + what + ": " +
-                           std::generic_category().message(error));
+  throw FileError(path_.string() + ": " + what + ": " + std::generic_category().message(error));
 }
 
 void LockedFile::require_regular_file() const {
   struct stat status {};
   if (fstat(file_, &status) != 0) fail("cannot read", errno);
   if (!S_ISREG(status.st_mode)) {
-    throw std::runtime_error(path_.string() + ": not a regular file");
+    throw FileError(path_.string() + ": not a regular file");
   }
 }
 
 void LockedFile::lock() const {
   if (retry([&] { return flock(file_, LOCK_EX | LOCK_NB); }) == 0) return;
   if (errno != EWOULDBLOCK) fail("cannot lock", errno);
-  throw std::runtime_error(path_.string() + ": in use by another process");
+  throw FileError(path_.string() + ": in use by another process");
 }
 
 }  // namespace adit

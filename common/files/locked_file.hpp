@@ -10,7 +10,7 @@
 namespace adit {
 
 /// A file with an exclusive writer: an advisory lock that holds against every other LockedFile, in
-/// this process or another. Every failure throws std::runtime_error with one line: path and reason.
+/// this process or another. Every failure throws FileError with one line: path and reason.
 class LockedFile {
  public:
   /// Creates the file if it does not exist. Throws if the file is locked or is not a regular file.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <stdexcept>
 #include <system_error>
 
 #include <fcntl.h>
@@ -12,11 +11,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "common/files/file_error.hpp"
+
 namespace adit {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw std::runtime_error(path.string() + ": " + std::generic_category().message(error));
+  throw FileError(path.string() + ": " + std::generic_category().message(error));
 }
 
 std::span<const std::uint8_t> map(int file) {

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// A file mapped for reading. Throws std::runtime_error with path and reason.
+/// A file mapped for reading. Throws FileError with path and reason.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& path);

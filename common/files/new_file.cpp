@@ -3,12 +3,13 @@
 #include "common/files/new_file.hpp"
 
 #include <cerrno>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
+
+#include "common/files/file_error.hpp"
 
 namespace adit {
 namespace {
@@ -60,7 +61,7 @@ void NewFile::publish() {
     error.assign(sync(part_), std::generic_category());
     if (!error) fs::rename(part_, path_, error);
   }
-  if (error) throw std::runtime_error("cannot write " + path_.string() + ": " + error.message());
+  if (error) throw FileError("cannot write " + path_.string() + ": " + error.message());
   published_ = true;
 }
 

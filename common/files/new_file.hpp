@@ -20,7 +20,7 @@ class NewFile {
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
 
   /// Returns when the closed part is on the disk under the name of the file. Throws
-  /// std::runtime_error with path and reason.
+  /// FileError with path and reason.
   void publish();
 
  private:

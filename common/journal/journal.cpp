@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "common/files/file_error.hpp"
 #include "common/files/mapped_file.hpp"
 
 namespace adit {
@@ -39,7 +40,7 @@ class OpenedCopies {
     }
     contents_ = join_copies(scans_);
     if (contents_.records.empty() && !may_be_journal(files_.front()->bytes())) {
-      throw std::runtime_error(paths.front().string() + ": not a journal");
+      throw FileError(paths.front().string() + ": not a journal");
     }
   }
 

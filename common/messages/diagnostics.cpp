@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/diagnostics.hpp"
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/diagnostics_fields.hpp"
 
 namespace adit {
 
@@ -19,12 +19,9 @@ heartbeat_t to_message(const Heartbeat& heartbeat) {
 }
 
 Result<Heartbeat> from_message(const heartbeat_t& message) {
-  const auto level = Health::Level(message.health);
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.stage.empty()) return Rejected{"no stage"};
-  if (level < Health::Level::kOk || level > Health::Level::kFault)
-    return Rejected{"unknown health"};
-  return Heartbeat{message.utime,   message.stage,    {level, message.reason},
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
+  const Health health{Health::Level(message.health), message.reason};
+  return Heartbeat{message.utime,   message.stage,    health,
                    message.handled, message.rejected, message.dropped};
 }
 
@@ -38,8 +35,7 @@ config_t to_message(const ConfigSnapshot& snapshot) {
 }
 
 Result<ConfigSnapshot> from_message(const config_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.stage.empty()) return Rejected{"no stage"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return ConfigSnapshot{message.utime, message.stage, message.version, message.yaml};
 }
 
@@ -61,11 +57,7 @@ stage_stats_t to_message(const StageStats& stats) {
 }
 
 Result<StageStats> from_message(const stage_stats_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.stage.empty()) return Rejected{"no stage"};
-  if (!(message.interval_s >= 0.0) || !std::isfinite(message.interval_s)) {
-    return Rejected{"invalid interval"};
-  }
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   StageStats stats{message.utime, message.stage, message.interval_s, {}};
   for (std::size_t i = 0; i < message.channels.size(); ++i) {
     stats.subscriptions.push_back({message.channels[i], message.handled[i], message.rejected[i],

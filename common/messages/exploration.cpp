@@ -3,11 +3,10 @@
 #include "common/messages/exploration.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/navigation_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
@@ -57,19 +56,6 @@ frontier_t to_message(const Frontier& frontier) {
   return message;
 }
 
-std::string_view rejection_reason(const frontier_t& message) {
-  const auto state = FrontierState(message.state);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0 || message.local_map < 0) return "frontier with a negative id or local map";
-  if (state < FrontierState::kOpen || state > FrontierState::kUnconfirmed)
-    return "unknown frontier state";
-  if (!all_finite(message.p_map) || !all_finite(message.direction_map) ||
-      !std::isfinite(message.width_m)) {
-    return "frontier is not finite";
-  }
-  return {};
-}
-
 Frontier frontier_from(const frontier_t& message) {
   return {message.id,
           message.local_map,
@@ -102,15 +88,8 @@ std::string_view rejection_reason(const corridor_t& corridor, const exploration_
   if (!is_node(corridor.from, message) || !is_node(corridor.to, message)) {
     return "corridor without nodes";
   }
-  if (!std::isfinite(corridor.length_m) || !std::isfinite(corridor.width_m)) {
-    return "corridor is not finite";
-  }
-  if (corridor.points_map.size() < 2) return "corridor with fewer than two points";
-  const auto& points = corridor.points_map;
-  const bool all_points_finite = std::all_of(
-      points.begin(), points.end(),
-      [](const std::vector<float>& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
-  return all_points_finite ? std::string_view{} : "corridor is not finite";
+  return corridor.points_map.size() < 2 ? "corridor with fewer than two points"
+                                        : std::string_view{};
 }
 
 Corridor corridor_from(const corridor_t& message) {
@@ -120,38 +99,13 @@ Corridor corridor_from(const corridor_t& message) {
 }
 
 std::string_view rejection_reason(const exploration_t& message) {
-  const auto kind = Kind(message.kind);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.revision < 0) return "negative revision";
-  if (message.request < 0) return "negative id";
-  if (kind < Kind::kStay || kind > Kind::kDone) return "unknown decision";
-  if (message.frontier < ExplorationDecision::kNoFrontier) return "negative frontier id";
-  if (!all_finite(message.T_map_goal) || !all_finite(message.T_odom_goal)) return kPoseNotFinite;
-  if (!std::isfinite(message.distance_m) || !std::isfinite(message.remaining_m) ||
-      !std::isfinite(message.explored_m)) {
-    return "distance is not finite";
-  }
-  const auto& route = message.route_odom;
-  const bool all_points_finite = std::all_of(
-      route.begin(), route.end(), [](const std::vector<float>& p) { return all_finite(p); });
-  if (!all_points_finite) return "route is not finite";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (message.n_frontiers_found < message.n_frontiers)
     return "frontier count below the number of frontiers";
   if (message.n_corridors_found < message.n_corridors)
     return "corridor count below the number of corridors";
-  return {};
-}
-
-std::string_view rejection_reason(const corridor_node_t& message) {
-  const auto kind = NodeKind(message.kind);
-  if (kind < NodeKind::kJunction || kind > NodeKind::kOpenEnd) return "unknown node kind";
-  return all_finite(message.p_map) ? std::string_view{} : "node is not finite";
-}
-
-template <class Part>
-std::string_view first_rejection_reason(const std::vector<Part>& parts) {
-  for (const Part& part : parts) {
-    if (const auto reason = rejection_reason(part); !reason.empty()) return reason;
+  for (const corridor_t& corridor : message.corridors) {
+    if (const auto reason = rejection_reason(corridor, message); !reason.empty()) return reason;
   }
   return {};
 }
@@ -212,16 +166,6 @@ void add_corridors(const std::vector<Corridor>& corridors, exploration_t& messag
   message.n_corridors = static_cast<std::int32_t>(message.corridors.size());
 }
 
-std::string_view rejection_reason(const explore_request_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id <= 0) return "id is not positive";
-  if (!is_distance(message.remaining_m)) return "invalid distance";
-  if (message.blocked == 0) return {};
-  if (!is_plausible_utime(message.blocked_utime)) return kImplausibleTime;
-  if (message.blocked_frontier < -1) return "negative frontier id";
-  return is_distance(message.reached_m) ? std::string_view{} : "invalid distance";
-}
-
 }  // namespace
 
 exploration_t to_message(const ExplorationReport& report) {
@@ -240,10 +184,6 @@ exploration_t to_message(const ExplorationReport& report) {
 
 Result<ExplorationReport> from_message(const exploration_t& message) {
   if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
-  if (const auto reason = first_rejection_reason(message.frontiers); !reason.empty())
-    return Rejected{reason};
-  if (const auto reason = first_rejection_reason(message.nodes); !reason.empty())
-    return Rejected{reason};
   ExplorationReport report;
   report.utime = message.utime;
   report.revision = message.revision;
@@ -261,8 +201,6 @@ Result<ExplorationReport> from_message(const exploration_t& message) {
     report.corridors.nodes.push_back({{node.p_map[0], node.p_map[1]}, NodeKind(node.kind)});
   }
   for (const corridor_t& corridor : message.corridors) {
-    const auto reason = rejection_reason(corridor, message);
-    if (!reason.empty()) return Rejected{reason};
     report.corridors.corridors.push_back(corridor_from(corridor));
   }
   return report;
@@ -285,7 +223,7 @@ explore_request_t to_message(const ExploreRequest& request) {
 }
 
 Result<ExploreRequest> from_message(const explore_request_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   ExploreRequest request{
       message.utime, message.id, message.remaining_m, message.returning_home != 0, {}};
   if (message.blocked != 0) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/mission.hpp"
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/navigation_fields.hpp"
 #include "common/messages/sensing.hpp"
 
 namespace adit {
@@ -30,23 +30,6 @@ static_assert(static_cast<int>(Kind::kStop) == mission_order_t::KIND_STOP);
 constexpr std::int32_t kNoFrontier = -1;
 constexpr double kUnknownDistance = -1.0;
 
-std::string_view rejection_reason(const phase_t& message) {
-  const auto phase = Phase(message.phase);
-  const auto outcome = MissionOutcome(message.outcome);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (phase < Phase::kWaiting || phase > Phase::kEnded) return "unknown phase";
-  if (outcome < MissionOutcome::kInProgress || outcome > MissionOutcome::kHomeUncertain) {
-    return "unknown outcome";
-  }
-  if (message.sequence < 0 || message.goal_id < 0 || message.scans < 0) return "negative count";
-  if (message.frontier < kNoFrontier) return "negative frontier id";
-  if (!is_distance(message.distance_travelled_m) || !is_distance(message.remaining_m))
-    return "invalid distance";
-  if (message.home_within_m != kUnknownDistance && !is_distance(message.home_within_m))
-    return "invalid distance";
-  return {};
-}
-
 }  // namespace
 
 phase_t to_message(const MissionPhase& phase) {
@@ -70,7 +53,7 @@ phase_t to_message(const MissionPhase& phase) {
 }
 
 Result<MissionPhase> from_message(const phase_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   const auto laser = laser_from_channel(message.laser);
   if (!laser) return Rejected{kUnknownLaser};
   MissionPhase phase;
@@ -100,10 +83,8 @@ mission_order_t to_message(const MissionOrder& order) {
 }
 
 Result<MissionOrder> from_message(const mission_order_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  const auto kind = Kind(message.kind);
-  if (kind < Kind::kPause || kind > Kind::kStop) return Rejected{"unknown order"};
-  return MissionOrder{message.utime, kind};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
+  return MissionOrder{message.utime, Kind(message.kind)};
 }
 
 }  // namespace adit

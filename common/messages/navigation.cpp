@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/navigation_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
@@ -20,19 +20,9 @@ static_assert(static_cast<int>(PlanGoal::Kind::kRetrace) == plan_goal_t::KIND_RE
 static_assert(static_cast<int>(PlanGoal::Kind::kRouteTo) == plan_goal_t::KIND_ROUTE_TO);
 static_assert(static_cast<int>(PlanGoal::Kind::kRejoin) == plan_goal_t::KIND_REJOIN);
 
-bool are_finite(const std::vector<std::vector<double>>& rows) {
-  return std::all_of(rows.begin(), rows.end(),
-                     [](const std::vector<double>& row) { return all_finite(row); });
-}
-
 std::string_view rejection_reason(const plan_goal_t& message) {
   const auto kind = PlanGoal::Kind(message.kind);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0) return "negative id";
-  if (kind < PlanGoal::Kind::kAlong || kind > PlanGoal::Kind::kRejoin) return "unknown kind";
-  if (!all_finite(message.T_odom_goal)) return kPoseNotFinite;
-  if (!std::isfinite(message.distance_max_m)) return "distance is not finite";
-  if (message.distance_max_m <= 0.0) return "distance is not positive";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   const auto& route = message.route_odom;
   const auto& traversed_path = message.traversed_path_odom;
   const bool on_route = kind == PlanGoal::Kind::kRoute || kind == PlanGoal::Kind::kRouteTo;
@@ -44,8 +34,7 @@ std::string_view rejection_reason(const plan_goal_t& message) {
   if (traversed_path.size() > PlanGoal::kPointsMax ||
       (on_traversed_path && traversed_path.size() < 2))
     return "invalid traversed path";
-  if (!are_finite(route)) return "route is not finite";
-  return are_finite(traversed_path) ? std::string_view{} : "traversed path is not finite";
+  return {};
 }
 
 using Reason = BlockingCell::Reason;
@@ -82,14 +71,6 @@ PathPoint point_from(const path_point_t& message) {
           message.clearance_m, message.cost};
 }
 
-std::string_view rejection_reason(const path_point_t& message) {
-  if (!all_finite(message.T_odom_body)) return kPoseNotFinite;
-  if (!std::isfinite(message.curvature_1_m)) return "curvature is not finite";
-  if (std::isnan(message.clearance_m)) return "clearance is NaN";
-  if (!std::isfinite(message.cost)) return "cost is not finite";
-  return {};
-}
-
 blocking_cell_t to_message(const BlockingCell& cell) {
   blocking_cell_t message;
   message.p_odom[0] = cell.p_odom.x();
@@ -103,19 +84,9 @@ BlockingCell cell_from(const blocking_cell_t& message) {
   return {{message.p_odom[0], message.p_odom[1]}, Reason(message.reason), message.height_m};
 }
 
-std::string_view rejection_reason(const blocking_cell_t& message) {
-  const auto reason = Reason(message.reason);
-  if (!all_finite(message.p_odom)) return "blocking cell is not finite";
-  if (reason < Reason::kStep || reason > Reason::kDrop) return "unknown blocking reason";
-  return {};
-}
-
 std::string_view rejection_reason(const planned_path_t& message) {
   const auto outcome = PlanOutcome(message.outcome);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0) return "negative id";
-  if (outcome < PlanOutcome::kFound || outcome > PlanOutcome::kNarrow) return "unknown outcome";
-  if (!std::isfinite(message.reached_m)) return "progress is not finite";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   const bool found = outcome == PlanOutcome::kFound;
   if (found && message.points.empty()) return "path without points";
   if (!found && !message.points.empty()) return "points without a path";
@@ -141,19 +112,6 @@ static_assert(static_cast<int>(DrivingState::Kind::kDriving) == driving_state_t:
 static_assert(static_cast<int>(DrivingState::Kind::kWaiting) == driving_state_t::STATE_WAITING);
 static_assert(static_cast<int>(DrivingState::Kind::kArrived) == driving_state_t::STATE_ARRIVED);
 static_assert(static_cast<int>(DrivingState::Kind::kFailed) == driving_state_t::STATE_FAILED);
-
-std::string_view rejection_reason(const driving_state_t& message) {
-  const auto kind = DrivingState::Kind(message.state);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.path_id < 0) return "negative id";
-  if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed)
-    return "unknown state";
-  if (!is_distance(message.progress_m) || !is_distance(message.remaining_m))
-    return "invalid distance";
-  if (!std::isfinite(message.lateral_error_m)) return "lateral error is not finite";
-  if (!std::isfinite(message.heading_error_rad)) return "heading error is not finite";
-  return {};
-}
 
 }  // namespace
 
@@ -211,11 +169,9 @@ Result<PlannedPath> from_message(const planned_path_t& message) {
   path.reason = message.reason;
   path.reached_m = message.reached_m;
   for (const path_point_t& point : message.points) {
-    if (const auto reason = rejection_reason(point); !reason.empty()) return Rejected{reason};
     path.points.push_back(point_from(point));
   }
   for (const blocking_cell_t& cell : message.blocking) {
-    if (const auto reason = rejection_reason(cell); !reason.empty()) return Rejected{reason};
     path.blocking.push_back(cell_from(cell));
   }
   return path;
@@ -235,7 +191,7 @@ driving_state_t to_message(const DrivingState& state) {
 }
 
 Result<DrivingState> from_message(const driving_state_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return DrivingState{message.utime,
                       message.path_id,
                       DrivingState::Kind(message.state),
@@ -254,9 +210,7 @@ drive_command_t to_message(const DriveCommand& command) {
 }
 
 Result<DriveCommand> from_message(const drive_command_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.speed_m_s)) return Rejected{"speed is not finite"};
-  if (!std::isfinite(message.curvature_1_m)) return Rejected{"curvature is not finite"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return DriveCommand{message.utime, message.speed_m_s, message.curvature_1_m};
 }
 
@@ -269,7 +223,7 @@ stop_t to_message(const StopOrder& order) {
 }
 
 Result<StopOrder> from_message(const stop_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return StopOrder{message.utime, message.stopped != 0, message.reason};
 }
 
@@ -285,10 +239,7 @@ vehicle_state_t to_message(const VehicleState& state) {
 }
 
 Result<VehicleState> from_message(const vehicle_state_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.speed_m_s)) return Rejected{"speed is not finite"};
-  if (!std::isfinite(message.curvature_1_m)) return Rejected{"curvature is not finite"};
-  if (!is_share(message.battery_share)) return Rejected{kShareOutOfRange};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return VehicleState{message.utime,         message.speed_m_s,    message.curvature_1_m,
                       message.battery_share, message.stopped != 0, message.expired != 0};
 }

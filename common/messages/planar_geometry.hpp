@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -10,7 +9,6 @@
 
 #include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
-#include "common/messages/checks.hpp"
 
 /// Planar poses (x, y, θ) and row-major 3×3 matrices in messages.
 namespace adit {
@@ -34,28 +32,6 @@ inline Eigen::Matrix3d matrix_from(const double (&rows)[3][3]) {
   return Eigen::Map<const RowMajor3d>(rows[0]);
 }
 
-/// True if the matrix can be a covariance or information matrix: finite, symmetric within rounding,
-/// and off-diagonal entries bounded by the variances. Zero is valid: no information.
-inline bool is_information_matrix(const double (&rows)[3][3]) {
-  constexpr double kRounding = 1e-6;  // relative; matrices result from products and inverses
-  for (int i = 0; i < 3; ++i) {
-    if (!all_finite(rows[i]) || rows[i][i] < 0.0) return false;
-  }
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < i; ++j) {
-      const double bound = std::sqrt(rows[i][i]) * std::sqrt(rows[j][j]);
-      if (std::abs(rows[i][j]) > (1.0 + kRounding) * bound) return false;
-      if (std::abs(rows[i][j] - rows[j][i]) > kRounding * bound) return false;
-    }
-  }
-  return true;
-}
-
-constexpr const char* kPoseNotFinite = "pose is not finite";
-constexpr const char* kInvalidInformation = "invalid information matrix";
-constexpr const char* kImplausibleAttitude = "roll or pitch beyond 60 degrees";
-inline constexpr double kAttitudeMaxRad = deg_to_rad(60.0);
-
 /// Fields has_attitude, roll_rad and pitch_rad of a message. `from_ground`: not measured by an IMU.
 template <class Message>
 void set_attitude(const std::optional<Attitude>& attitude, bool from_ground, Message& message) {
@@ -68,12 +44,6 @@ std::optional<Attitude> attitude_from(const Message& message) {
   const Attitude attitude{message.roll_rad, message.pitch_rad};
   if (message.has_attitude == 0 && attitude.is_level()) return std::nullopt;
   return attitude;
-}
-/// Whether the angles are those of a vehicle that stands on its wheels.
-template <class Message>
-bool is_plausible_attitude(const Message& message) {
-  return std::abs(message.roll_rad) < kAttitudeMaxRad &&
-         std::abs(message.pitch_rad) < kAttitudeMaxRad;  // NaN fails too
 }
 
 }  // namespace adit

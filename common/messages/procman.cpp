@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/procman.hpp"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/procman_fields.hpp"
 
 namespace adit {
 namespace {
-
-constexpr int kLastSignal = 64;
 
 procman_lcm::cmd_t to_message(const ProcmanCommand& command) {
   procman_lcm::cmd_t message;
@@ -45,38 +42,6 @@ ProcmanStatus status_from(const procman_lcm::cmd_status_t& message) {
   return {command_from(message.cmd), message.pid,       message.actual_runid,
           message.exit_code,         message.cpu_usage, message.mem_vsize_bytes,
           message.mem_rss_bytes};
-}
-
-bool is_finite_non_negative(double number) { return std::isfinite(number) && number >= 0.0; }
-
-std::string_view rejection_reason(const procman_lcm::cmd_t& message) {
-  if (message.command_id.empty()) return "command without a name";
-  if (message.stop_signal < 0 || message.stop_signal > kLastSignal) return "unknown stop signal";
-  if (!is_finite_non_negative(message.stop_time_allowed))
-    return "stop time is negative or not finite";
-  return {};
-}
-
-std::string_view rejection_reason(const procman_lcm::cmd_status_t& message) {
-  if (const auto reason = rejection_reason(message.cmd); !reason.empty()) return reason;
-  if (message.pid < 0) return "negative process id";
-  if (!is_finite_non_negative(message.cpu_usage))
-    return "processor usage is negative or not finite";
-  return {};
-}
-
-std::string_view rejection_reason(const procman_lcm::deputy_info_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.deputy_id.empty()) return "no deputy";
-  if (!is_finite_non_negative(message.cpu_load)) return "load is negative or not finite";
-  return {};
-}
-
-std::string_view rejection_reason(const procman_lcm::orders_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.deputy_id.empty()) return "no deputy";
-  if (message.sheriff_id.empty()) return "no sheriff";
-  return {};
 }
 
 HostLoad load_from(const procman_lcm::deputy_info_t& message) {
@@ -140,20 +105,18 @@ procman_lcm::discovery_t to_message(const ProcmanDiscovery& discovery) {
 }
 
 Result<ProcmanInfo> from_message(const procman_lcm::deputy_info_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   ProcmanInfo info{message.utime, message.deputy_id, load_from(message), {}};
   for (const procman_lcm::cmd_status_t& status : message.cmds) {
-    if (const auto reason = rejection_reason(status); !reason.empty()) return Rejected{reason};
     info.commands.push_back(status_from(status));
   }
   return info;
 }
 
 Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   ProcmanOrders orders{message.utime, message.deputy_id, message.sheriff_id, {}};
   for (const procman_lcm::cmd_desired_t& desired : message.cmds) {
-    if (const auto reason = rejection_reason(desired.cmd); !reason.empty()) return Rejected{reason};
     orders.orders.push_back(
         {command_from(desired.cmd), desired.desired_runid, desired.force_quit != 0});
   }
@@ -161,18 +124,16 @@ Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message) {
 }
 
 Result<ProcmanOutput> from_message(const procman_lcm::output_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.deputy_id.empty()) return Rejected{"no deputy"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   ProcmanOutput output{message.utime, message.deputy_id, {}};
   for (std::size_t i = 0; i < message.command_ids.size(); ++i) {
-    if (message.command_ids[i].empty()) return Rejected{"command without a name"};
     output.texts.push_back({message.command_ids[i], message.text[i]});
   }
   return output;
 }
 
 Result<ProcmanDiscovery> from_message(const procman_lcm::discovery_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return ProcmanDiscovery{message.utime, message.transmitter_id, message.nonce};
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/diagnostics_fields.hpp"
 
 namespace adit {
 
@@ -17,7 +17,7 @@ seal_nonce_t to_message(const SealChallenge& challenge) {
 }
 
 Result<SealChallenge> from_message(const seal_nonce_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   SealChallenge challenge{message.utime, {}};
   std::copy(std::begin(message.nonce), std::end(message.nonce), challenge.nonce.begin());
   return challenge;

@@ -3,11 +3,9 @@
 #include "common/messages/sensing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <numbers>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/sensing_fields.hpp"
 
 namespace adit {
 
@@ -23,17 +21,14 @@ planar_lidar_t to_message(const LaserScan& scan) {
 }
 
 std::string_view rejection_reason(const LaserScan& scan) {
-  constexpr double kTwoTurns = 4.0 * std::numbers::pi;
-  if (!is_plausible_utime(scan.utime)) return kImplausibleTime;
-  if (!std::isfinite(scan.angle_min_rad)) return "first bearing is not finite";
-  if (!(scan.angle_step_rad > 0.0)) return "bearings do not increase";
-  if (static_cast<double>(scan.ranges_m.size()) * scan.angle_step_rad > kTwoTurns) {
+  if (static_cast<double>(scan.ranges_m.size()) * scan.angle_step_rad > kTwoTurnsRad) {
     return "bearings span more than two turns";
   }
   return {};
 }
 
 Result<LaserScan> from_message(const planar_lidar_t& message) {
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   LaserScan scan{message.utime, message.ranges, message.rad0, message.radstep};
   if (const auto reason = rejection_reason(scan); !reason.empty()) return Rejected{reason};
   return scan;
@@ -49,10 +44,7 @@ imu_t to_message(const ImuReading& reading) {
 }
 
 Result<ImuReading> from_message(const imu_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!all_finite(message.angular_velocity_rad_s))
-    return Rejected{"angular velocity is not finite"};
-  if (!all_finite(message.linear_acceleration_m_s2)) return Rejected{"acceleration is not finite"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return ImuReading{message.utime, Eigen::Vector3d(message.angular_velocity_rad_s),
                     Eigen::Vector3d(message.linear_acceleration_m_s2)};
 }
@@ -69,10 +61,7 @@ wheel_odometry_t to_message(const WheelOdometry& odometry) {
 }
 
 Result<WheelOdometry> from_message(const wheel_odometry_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!all_finite(std::array{message.x_m, message.y_m, message.theta_rad})) {
-    return Rejected{"pose is not finite"};
-  }
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return WheelOdometry{message.utime, {message.x_m, message.y_m, message.theta_rad}};
 }
 
@@ -85,9 +74,7 @@ tilt_t to_message(const TiltReading& reading) {
 }
 
 Result<TiltReading> from_message(const tilt_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.angle_rad)) return Rejected{"angle is not finite"};
-  if (!std::isfinite(message.rate_rad_s)) return Rejected{"rate is not finite"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return TiltReading{message.utime, message.angle_rad, message.rate_rad_s};
 }
 
@@ -100,10 +87,7 @@ tilt_command_t to_message(const TiltCommand& command) {
 }
 
 Result<TiltCommand> from_message(const tilt_command_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.goal_rad)) return Rejected{"angle is not finite"};
-  if (!std::isfinite(message.rate_max_rad_s)) return Rejected{"rate is not finite"};
-  if (message.rate_max_rad_s <= 0.0) return Rejected{"rate is not positive"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return TiltCommand{message.utime, message.goal_rad, message.rate_max_rad_s};
 }
 
@@ -116,8 +100,7 @@ scan_request_t to_message(const ScanRequest& request) {
 }
 
 Result<ScanRequest> from_message(const scan_request_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.id < 0) return Rejected{"negative id"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   const auto laser = laser_from_channel(message.laser);
   if (!laser) return Rejected{kUnknownLaser};
   return ScanRequest{message.utime, message.id, *laser};
@@ -133,10 +116,7 @@ gas_t to_message(const GasReading& reading) {
 }
 
 Result<GasReading> from_message(const gas_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!is_share(message.methane_share)) return Rejected{kShareOutOfRange};
-  if (!is_share(message.oxygen_share)) return Rejected{kShareOutOfRange};
-  if (!is_share(message.carbon_monoxide_share)) return Rejected{kShareOutOfRange};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return GasReading{message.utime, message.methane_share, message.oxygen_share,
                     message.carbon_monoxide_share};
 }
@@ -149,9 +129,7 @@ sinkage_t to_message(const SinkageReading& reading) {
 }
 
 Result<SinkageReading> from_message(const sinkage_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!all_finite(message.depth_m)) return Rejected{"depth is not finite"};
-  if (std::ranges::min(message.depth_m) < 0.0) return Rejected{"depth is negative"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   SinkageReading reading{message.utime, {}};
   std::ranges::copy(message.depth_m, reading.depth_m.begin());
   return reading;

@@ -38,7 +38,7 @@ constexpr const char* kUnknownLaser = "unknown laser";
 /// Bearings are encoded as floats and restored within 2e-7 rad.
 planar_lidar_t to_message(const LaserScan& scan);
 
-/// Why a scan is invalid, or nothing; the checks of from_message.
+/// Why the beams of a scan are invalid, or nothing.
 std::string_view rejection_reason(const LaserScan& scan);
 
 /// Rejects an implausible time and bearings that are not finite, do not increase, or span more than

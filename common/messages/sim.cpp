@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/sim.hpp"
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/diagnostics_fields.hpp"
 
 namespace adit {
 
@@ -20,13 +20,12 @@ sim_time_done_t to_message(const SimTimeDone& done) {
 }
 
 Result<SimTime> from_message(const sim_time_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return SimTime{message.utime};
 }
 
 Result<SimTimeDone> from_message(const sim_time_done_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.stage.empty()) return Rejected{"no stage"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return SimTimeDone{message.utime, message.stage};
 }
 
@@ -39,9 +38,7 @@ run_state_t to_message(const RunState& state) {
 }
 
 Result<RunState> from_message(const run_state_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.distance_travelled_m)) return Rejected{"distance is not finite"};
-  if (message.distance_travelled_m < 0.0) return Rejected{"distance is negative"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return RunState{message.utime, message.distance_travelled_m, message.failure};
 }
 

@@ -3,16 +3,17 @@
 #include "procs/volume_map/occupancy_tree.hpp"
 
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include <octomap/OcTree.h>
 
+#include "common/files/file_error.hpp"
+
 namespace adit {
 namespace {
 
-std::runtime_error cannot_write(const std::filesystem::path& path) {
-  return std::runtime_error("cannot write " + path.string());
+FileError cannot_write(const std::filesystem::path& path) {
+  return FileError("cannot write " + path.string());
 }
 
 std::ofstream open(const std::filesystem::path& path) {

@@ -4,10 +4,11 @@
 
 #include <bit>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "common/files/file_error.hpp"
 
 namespace adit {
 namespace {
@@ -51,7 +52,7 @@ void write_ply(const VolumeMap& map, const std::filesystem::path& path) {
       file.write(reinterpret_cast<const char*>(&at), sizeof at);
     }
   }
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  if (!file.flush()) throw FileError("cannot write " + path.string());
 }
 
 void export_volume(const VolumeMap& map, const std::filesystem::path& folder) {

@@ -18,9 +18,12 @@ class Mutator {
   /// end truncated, parts removed, repeated or inserted from `other_sample`; or random bytes.
   Bytes mutate(const std::vector<Bytes>& samples, const Bytes& other_sample);
 
- private:
+  /// 64 random bits.
   std::uint64_t random();
+  /// A random number less than `end`; 0 if that is 0.
   std::size_t below(std::size_t end);
+
+ private:
   std::size_t position(const Bytes& bytes);
 
   void change(Bytes& bytes);

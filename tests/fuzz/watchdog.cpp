@@ -16,10 +16,11 @@ extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)())
 namespace adit::fuzz {
 namespace {
 
-constexpr int kLimitSeconds = 5;
+int limit_seconds = 5;
 
 std::atomic<std::int64_t> current{-1};
-std::int64_t last_case = -1;
+std::atomic<std::int64_t> calls{0};
+std::int64_t last_calls = -1;
 int seconds_on_case = 0;
 std::string_view command_line;
 
@@ -43,9 +44,9 @@ void on_crash(int signal) {
 }
 
 void on_second(int) {
-  seconds_on_case = current == last_case ? seconds_on_case + 1 : 0;
-  last_case = current;
-  if (seconds_on_case < kLimitSeconds) return;
+  seconds_on_case = calls == last_calls ? seconds_on_case + 1 : 0;
+  last_calls = calls;
+  if (seconds_on_case < limit_seconds) return;
   print_line("a case exceeds the time limit");
   print_case();
   _exit(1);
@@ -53,7 +54,8 @@ void on_second(int) {
 
 }  // namespace
 
-void start_watchdog(std::string_view command) {
+void start_watchdog(std::string_view command, int limit_s) {
+  limit_seconds = limit_s;
   command_line = command;
   if (__sanitizer_set_death_callback) {
     __sanitizer_set_death_callback(print_case);
@@ -66,6 +68,9 @@ void start_watchdog(std::string_view command) {
   setitimer(ITIMER_REAL, &each_second, nullptr);
 }
 
-void watch(std::int64_t number) { current = number; }
+void watch(std::int64_t number) {
+  current = number;
+  ++calls;
+}
 
 }  // namespace adit::fuzz

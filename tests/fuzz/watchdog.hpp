@@ -8,11 +8,11 @@
 namespace adit::fuzz {
 
 /// Installs handlers that print the current case if it crashes, causes a sanitizer report or takes
-/// more than five seconds; the last also ends the process. The printed line starts with `command`,
-/// which must stay valid until the process ends.
-void start_watchdog(std::string_view command);
+/// more than `limit_s` seconds; the last also ends the process. The printed line starts with
+/// `command`, which must stay valid until the process ends.
+void start_watchdog(std::string_view command, int limit_s = 5);
 
-/// Sets the number of the current case.
+/// Sets the number of the current case, which begins or makes progress.
 void watch(std::int64_t number);
 
 }  // namespace adit::fuzz

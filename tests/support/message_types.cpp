@@ -6,6 +6,11 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/exploration.hpp"
+#include "common/messages/fields/diagnostics_fields.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
+#include "common/messages/fields/navigation_fields.hpp"
+#include "common/messages/fields/procman_fields.hpp"
+#include "common/messages/fields/sensing_fields.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/local_map.hpp"
@@ -33,7 +38,8 @@ std::string_view process(std::span<const std::uint8_t> bytes) {
 
 template <class Msg>
 MessageType type_of(std::string_view channel, const Msg& sample) {
-  return {Msg::getTypeName(), std::string(channel), Msg::getHash(), encode(sample), process<Msg>};
+  return {Msg::getTypeName(), std::string(channel), Msg::getHash(),
+          encode(sample),     process<Msg>,         field_layout<Msg>};
 }
 
 ScanMatch sample_match() {

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/message_fields.hpp"
+
 namespace adit {
 
 /// A message type with a sample, for tests that iterate over all types.
@@ -20,6 +22,9 @@ struct MessageType {
 
   /// Decodes and converts like a stage. Returns the reason for rejection, or nothing.
   std::function<std::string_view(std::span<const std::uint8_t>)> process;
+
+  /// Where its fields are in an encoded message.
+  std::function<FieldLayout(std::span<const std::uint8_t>)> layout;
 
   std::string package = "adit";
 };

@@ -3,8 +3,8 @@
 #include "tools/map/reading_times.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/messages/checks.hpp"
 #include "common/messages/codec.hpp"
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/sensing.hpp"
 
 namespace adit {

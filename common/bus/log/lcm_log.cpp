@@ -6,8 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <stdexcept>
 #include <system_error>
+
+#include "common/files/file_error.hpp"
 
 namespace adit {
 namespace {
@@ -154,7 +155,7 @@ void LogWriter::close() {
 
 void LogWriter::require_good() const {
   if (file_) return;
-  throw std::runtime_error(path_ + ": cannot write: " + std::generic_category().message(errno));
+  throw FileError(path_ + ": cannot write: " + std::generic_category().message(errno));
 }
 
 }  // namespace adit

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <system_error>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/node/version.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/files/file_error.hpp"
 #include "common/messages/diagnostics.hpp"
 
 namespace adit {
@@ -22,6 +27,7 @@ void StageBus::publish(std::string_view channel, std::span<const std::uint8_t> b
 }
 
 SubscriptionId StageBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
+  handler = contained(channel, std::move(handler));
   if (measure_ == Measure::kHandlerTimes) handler = with_timing(std::move(handler));
   times_.emplace_back();
   subscriptions_.push_back(bus_.subscribe(channel, delivery, std::move(handler)));
@@ -43,12 +49,42 @@ Handler StageBus::with_timing(Handler handler) {
   };
 }
 
+bool StageBus::contain(std::string_view what, const std::function<void()>& function) {
+  try {
+    function();
+    return true;
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::system_error&) {
+    throw;
+  } catch (const std::exception& error) {
+    ++failures_.count;
+    failures_.last = fmt::format("{}: {}", what, error.what());
+    return false;
+  }
+}
+
+Handler StageBus::contained(std::string_view channel, Handler handler) {
+  return [this, channel = std::string(channel),
+          handler = std::move(handler)](const ReceivedMessage& received) {
+    std::string_view rejection;
+    const bool done = contain(channel, [&] { rejection = handler(received); });
+    return done ? rejection : kHandlerFailed;
+  };
+}
+
+TimerHandler StageBus::contained(TimerHandler handler) {
+  return [this, handler = std::move(handler)](std::int64_t utime) {
+    contain("a timer", [&] { handler(utime); });
+  };
+}
+
 void StageBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {
-  bus_.create_wall_timer(period_us, std::move(handler));
+  bus_.create_wall_timer(period_us, contained(std::move(handler)));
 }
 
 void StageBus::create_timer(std::int64_t period_us, TimerHandler handler) {
-  bus_.create_timer(period_us, std::move(handler));
+  bus_.create_timer(period_us, contained(std::move(handler)));
 }
 
 const SubscriptionStats& StageBus::stats(SubscriptionId id) const { return bus_.stats(id); }
@@ -56,10 +92,14 @@ const SubscriptionStats& StageBus::stats(SubscriptionId id) const { return bus_.
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
-constexpr std::int64_t kSealReportPeriod = 60 * kSecond;
+constexpr std::int64_t kReportPeriod = 60 * kSecond;
 
 std::string seals_text(std::int64_t count) {
   return std::to_string(count) + " orders without a valid seal were rejected";
+}
+
+std::string failures_text(const StageBus::Failures& failures) {
+  return fmt::format("{} messages or timers failed, the last: {}", failures.count, failures.last);
 }
 
 StageStats::Subscription difference(const SubscriptionStats& now, const SubscriptionStats& before) {
@@ -113,6 +153,10 @@ void NodeHost::publish_heartbeat(std::int64_t utime) {
     heartbeat.rejected += stats.rejected;
     heartbeat.dropped += stats.dropped;
   }
+  const StageBus::Failures& failures = bus_.failures();
+  if (heartbeat.health.level == Health::Level::kOk && failures.count > 0) {
+    heartbeat.health = {Health::Level::kDegraded, failures_text(failures)};
+  }
   const Health inputs = input_health();
   if (heartbeat.health.level == Health::Level::kOk) heartbeat.health = inputs;
   if (heartbeat.health.level == Health::Level::kOk && bus_.unsent() > 0) {
@@ -124,7 +168,9 @@ void NodeHost::publish_heartbeat(std::int64_t utime) {
   }
   publish(bus_, channels::kHeartbeat, to_message(heartbeat));
   report_rejections();
-  report_seals(utime);
+  report_in_turn(utime, failures.count, failures_text(failures), reported_failures_);
+  report_in_turn(utime, bus_.without_valid_seal(), seals_text(bus_.without_valid_seal()),
+                 reported_seals_);
 }
 
 /// Degraded if since the last heartbeat most messages of a channel were rejected.
@@ -178,12 +224,12 @@ void NodeHost::report_rejections() {
 }
 
 /// One line a minute at most: a neighbour who floods the network must not fill the disk.
-void NodeHost::report_seals(std::int64_t utime) {
-  if (!error_stream_ || bus_.without_valid_seal() == reported_seals_) return;
-  if (reported_seals_utime_ && utime - *reported_seals_utime_ < kSealReportPeriod) return;
-  reported_seals_ = bus_.without_valid_seal();
-  reported_seals_utime_ = utime;
-  *error_stream_ << stage_.name << ": " << seals_text(reported_seals_) << std::endl;
+void NodeHost::report_in_turn(std::int64_t utime, std::int64_t count, const std::string& text,
+                              Report& last) const {
+  if (!error_stream_ || count == last.count) return;
+  if (last.utime && utime - *last.utime < kReportPeriod) return;
+  last = {count, utime};
+  *error_stream_ << stage_.name << ": " << text << std::endl;
 }
 
 HostedNode::HostedNode(Bus& bus, const ConfiguredNode& node, StageBus::Measure measure,

@@ -23,8 +23,20 @@ namespace adit {
 /// The bus of one stage: forwards to a shared bus and records the stage's subscriptions, so that
 /// stages on one bus report their own statistics. Optionally measures handler times, for stages
 /// that run on the wall clock.
+///
+/// An exception of a handler or timer ends here, as the last defence against what a message may
+/// cause: the message counts as rejected, and `failures` says what failed. What the stage knows may
+/// be half changed, so handlers check a message before they use it. A FileError or
+/// std::system_error passes, since the stage cannot work without its files and devices.
 class StageBus final : public Bus {
  public:
+  static constexpr std::string_view kHandlerFailed = "the handler failed";
+
+  struct Failures {
+    std::int64_t count = 0;
+    std::string last;  ///< channel, or "a timer", and what failed
+  };
+
   struct HandlerTimes {
     std::int64_t calls = 0;
     double total_ms = 0.0;
@@ -42,6 +54,9 @@ class StageBus final : public Bus {
   /// measurement.
   std::vector<HandlerTimes> take_handler_times();
 
+  /// Exceptions of handlers and timers since the start.
+  [[nodiscard]] const Failures& failures() const { return failures_; }
+
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
   void create_timer(std::int64_t period_us, TimerHandler handler) override;
@@ -55,11 +70,16 @@ class StageBus final : public Bus {
 
  private:
   Handler with_timing(Handler handler);
+  Handler contained(std::string_view channel, Handler handler);
+  TimerHandler contained(TimerHandler handler);
+  /// Calls a function. Returns false if it throws.
+  bool contain(std::string_view what, const std::function<void()>& function);
 
   Bus& bus_;
   Measure measure_;
   std::vector<SubscriptionId> subscriptions_;
   std::vector<HandlerTimes> times_;
+  Failures failures_;
 };
 
 /// Publishes what every stage reports about itself: the configuration at the start and every 10 s
@@ -89,17 +109,27 @@ class NodeHost {
   /// Of each subscription of the stage, in the order of creation.
   [[nodiscard]] std::vector<SubscriptionStats> subscription_stats() const;
 
-  /// Sets the source of the health in the heartbeat; OK without. While it is OK, a channel of which
-  /// most messages are rejected makes the stage degraded.
+  /// Exceptions of the handlers and timers of the node.
+  [[nodiscard]] const StageBus::Failures& failures() const { return bus_.failures(); }
+
+  /// Sets the source of the health in the heartbeat; OK without. While it is OK, a handler that has
+  /// failed makes the stage degraded, and so does a channel of which most messages are rejected.
   void set_health(std::function<Health()> health) { health_ = std::move(health); }
 
  private:
+  /// What was written to error_stream_ last about something that is counted.
+  struct Report {
+    std::int64_t count = 0;
+    std::optional<std::int64_t> utime;
+  };
+
   void publish_config(std::int64_t utime);
   void publish_heartbeat(std::int64_t utime);
   void publish_stats(std::int64_t utime);
   [[nodiscard]] Health input_health();
   void report_rejections();
-  void report_seals(std::int64_t utime);
+  void report_in_turn(std::int64_t utime, std::int64_t count, const std::string& text,
+                      Report& last) const;
 
   StageBus bus_;
   Stage stage_;
@@ -110,8 +140,8 @@ class NodeHost {
   std::vector<SubscriptionStats> last_stats_;
   std::vector<SubscriptionStats> heartbeat_stats_;  ///< at the last heartbeat
   std::set<std::string> reported_;                  // rejections already written to error_stream_
-  std::int64_t reported_seals_ = 0;
-  std::optional<std::int64_t> reported_seals_utime_;
+  Report reported_failures_;
+  Report reported_seals_;
 };
 
 /// Type-erased interface of a running node.
@@ -142,6 +172,8 @@ class HostedNode {
   [[nodiscard]] std::vector<SubscriptionStats> subscription_stats() const {
     return host_.subscription_stats();
   }
+  /// Exceptions of the handlers and timers of the node.
+  [[nodiscard]] const StageBus::Failures& failures() const { return host_.failures(); }
 
  private:
   NodeHost host_;

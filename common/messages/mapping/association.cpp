@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/planar_geometry.hpp"
 
 namespace adit {
@@ -19,7 +20,6 @@ static_assert(static_cast<int>(Action::kProposed) == association_t::ACTION_PROPO
 static_assert(static_cast<int>(Action::kRevised) == association_t::ACTION_REVISED);
 static_assert(Association::kNone == association_t::NONE);
 
-constexpr std::int32_t kAlternativesMax = 500;
 constexpr std::size_t kPairsMax = 1000;
 
 loop_closure_alternative_t to_message(const LoopClosureAlternative& alternative) {
@@ -44,21 +44,13 @@ std::string_view rejection_reason(const loop_closure_alternative_t& message,
                                   std::int32_t newer_map) {
   if (message.older_map < 0 || message.older_map >= newer_map)
     return "alternative is not an older map";
-  if (!all_finite(message.T_older_newer)) return kPoseNotFinite;
-  if (!is_information_matrix(message.information)) return kInvalidInformation;
-  if (!std::isfinite(message.log_likelihood)) return "likelihood is not finite";
   return {};
 }
 
 std::string_view rejection_reason(const association_t& message) {
-  const auto action = Action(message.action);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (action != Action::kProposed && action != Action::kRevised) return "unknown action";
-  if (message.loop_closure < 0 || message.newer_map < 0) return "negative id";
-  if (message.n_alternatives > kAlternativesMax) return "implausible number of alternatives";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (!is_choice(message.chosen, message)) return "choice is not an alternative";
   if (!is_choice(message.previously_chosen, message)) return "choice is not an alternative";
-  if (!std::isfinite(message.log_likelihood)) return "likelihood is not finite";
   for (const loop_closure_alternative_t& alternative : message.alternatives) {
     const auto reason = rejection_reason(alternative, message.newer_map);
     if (!reason.empty()) return reason;
@@ -121,15 +113,13 @@ map_contradictions_t to_message(const MapContradictions& contradictions) {
 }
 
 Result<MapContradictions> from_message(const map_contradictions_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   const auto n = static_cast<std::size_t>(message.n_pairs);
-  if (n > kPairsMax) return Rejected{"implausible number of pairs"};
   MapContradictions contradictions{message.utime, message.revision, {}};
   for (std::size_t i = 0; i < n; ++i) {
     const int older = message.older_maps[i];
     const int newer = message.newer_maps[i];
-    if (older < 0 || older >= newer) return Rejected{"pair is not an older and a newer map"};
-    if (!std::isfinite(message.evidence[i])) return Rejected{"evidence is not finite"};
+    if (older >= newer) return Rejected{"pair is not an older and a newer map"};
     contradictions.pairs.push_back({older, newer, message.evidence[i]});
   }
   return contradictions;

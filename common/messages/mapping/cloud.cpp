@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
@@ -46,31 +46,19 @@ CloudLine line_from(const cloud_line_t& message) {
           vectors(message.misses)};
 }
 
-/// False for NaN.
-bool is_plausible(const Eigen::Vector3f& p_level) {
-  return p_level.allFinite() && p_level.cwiseAbs().maxCoeff() <= CloudFragment::kCoordinateMaxM;
-}
-
 bool is_direction(const Eigen::Vector3f& v) {
   constexpr float kTolerance = 1e-3F;
   return std::abs(v.norm() - 1.0F) < kTolerance;
 }
 
 std::string_view rejection_reason(const CloudLine& line, const Cloud& cloud) {
-  if (!is_plausible_utime(line.utime)) return kImplausibleTime;
   if (line.utime > cloud.utime) return "line after the end of the sweep";
-  if (!is_plausible(line.origin)) return "implausible origin";
-  if (!std::ranges::all_of(line.points, is_plausible)) return "implausible point";
   if (!std::ranges::all_of(line.misses, is_direction)) return "miss direction is not a unit vector";
   return {};
 }
 
 std::string_view header_rejection_reason(const cloud_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0) return "negative id";
-  if (!all_finite(message.T_odom_level) || !std::isfinite(message.z_odom_m)) {
-    return kPoseNotFinite;
-  }
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   return fragment_rejection_reason(message, CloudFragment::kFragmentsMax);
 }
 
@@ -168,12 +156,7 @@ cloud_request_t to_message(const CloudRequest& request) {
 }
 
 Result<CloudRequest> from_message(const cloud_request_t& message) {
-  if (!is_plausible_utime(message.utime) || !is_plausible_utime(message.after_utime) ||
-      !std::ranges::all_of(message.received_utime, is_plausible_utime)) {
-    return Rejected{kImplausibleTime};
-  }
-  if (message.received_utime.size() > CloudRequest::kReceivedMax)
-    return Rejected{"implausible number of scans"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return CloudRequest{message.utime, message.after_utime, message.received_utime};
 }
 

@@ -19,8 +19,6 @@ namespace adit {
 /// A contiguous part of the lines of a 3D scan, on channels CLOUD and CLOUD_RESEND.
 struct CloudFragment {
   static constexpr int kFragmentsMax = 1000;  ///< fragments of a cloud
-  static constexpr float kCoordinateMaxM =
-      10'000.0F;  ///< absolute coordinate limit of points and origins
 
   Cloud part;  ///< the complete header, and the lines of this fragment
   int n_fragments = 1;

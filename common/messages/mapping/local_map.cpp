@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "common/messages/sensing.hpp"
@@ -13,17 +14,8 @@ namespace adit {
 namespace {
 
 std::string_view header_rejection_reason(const local_map_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (!is_plausible_utime(message.end_utime)) return kImplausibleTime;
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (message.end_utime < message.utime) return "end time before start time";
-  if (message.id < 0 || message.session < 0) return "negative id or session";
-  if (!all_finite(message.T_odom_local)) return kPoseNotFinite;
-  if (!all_finite(message.T_previous_local)) return kPoseNotFinite;
-  if (!is_information_matrix(message.information)) return kInvalidInformation;
-  if (!std::isfinite(message.climb_m) || !std::isfinite(message.forward_m) ||
-      !std::isfinite(message.z_odom_m)) {
-    return kPoseNotFinite;
-  }
   return fragment_rejection_reason(message, LocalMapFragment::kFragmentsMax);
 }
 
@@ -55,7 +47,6 @@ LocalScan scan_from(const local_scan_t& message) {
 
 std::string_view rejection_reason(const LocalScan& local, const LocalMap& map) {
   if (const auto reason = rejection_reason(local.scan); !reason.empty()) return reason;
-  if (!local.T_local_body.vector().allFinite()) return kPoseNotFinite;
   if (local.scan.utime < map.utime || local.scan.utime > map.end_utime) {
     return "scan outside the time range of its local map";
   }
@@ -123,8 +114,6 @@ Result<LocalMapFragment> from_message(const local_map_t& message) {
   map.z_odom_m = message.z_odom_m;
   map.scans.reserve(message.scans.size());
   for (const local_scan_t& scan : message.scans) {
-    if (!std::isfinite(scan.z_m)) return Rejected{kPoseNotFinite};
-    if (!is_plausible_attitude(scan)) return Rejected{kImplausibleAttitude};
     map.scans.push_back(scan_from(scan));
     const auto reason = rejection_reason(map.scans.back(), map);
     if (!reason.empty()) return Rejected{reason};

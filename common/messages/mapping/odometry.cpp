@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/planar_geometry.hpp"
 
 namespace adit {
@@ -53,8 +53,7 @@ pose_t to_message(const StampedPose& pose) {
 }
 
 Result<StampedPose> from_message(const pose_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!all_finite(message.pos)) return Rejected{"position is not finite"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   const Eigen::Vector4d q(message.orientation);
   if (!(std::abs(q.norm() - 1.0) < 1e-3)) return Rejected{"orientation is not a unit quaternion"};
 
@@ -93,13 +92,7 @@ static_assert(static_cast<int>(MatchDoubt::Reason::kDegenerate) ==
 static_assert(static_cast<int>(MatchDoubt::Reason::kContradicted) ==
               match_doubt_t::REASON_CONTRADICTED);
 
-bool is_valid(ScanMatch::Status status) {
-  return status >= ScanMatch::Status::kFirstScan && status <= ScanMatch::Status::kRejected;
-}
-
-bool is_valid(DegenerateDirection::Fill fill) {
-  return fill >= DegenerateDirection::Fill::kNone && fill <= DegenerateDirection::Fill::kImu;
-}
+constexpr double kUnitTolerance = 1e-3;
 
 std::vector<DegenerateDirection> degenerate_directions(const scan_match_t& message) {
   std::vector<DegenerateDirection> directions;
@@ -111,15 +104,11 @@ std::vector<DegenerateDirection> degenerate_directions(const scan_match_t& messa
 }
 
 std::string_view rejection_reason(const scan_match_t& message) {
-  const bool finite = all_finite(message.T_odom_body) && all_finite(message.delta) &&
-                      matrix_from(message.covariance).allFinite() && std::isfinite(message.z_m);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
-  if (!is_plausible_utime(message.odom_epoch_utime)) return kImplausibleTime;
-  if (!is_valid(ScanMatch::Status(message.status))) return "unknown status";
-  if (!finite) return "pose or covariance is not finite";
-  if (!is_plausible_attitude(message)) return kImplausibleAttitude;
-  if (message.n_degenerate > 3) return "more than three degenerate directions";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
+  for (const std::vector<double>& direction : message.degenerate_directions) {
+    const double norm = Eigen::Vector3d(direction.data()).norm();
+    if (std::abs(norm - 1.0) > kUnitTolerance) return "degenerate direction is not a unit vector";
+  }
   return {};
 }
 
@@ -178,10 +167,6 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.contradiction_share = message.contradiction_share;
   match.rms_residual_m = message.rms_residual_m;
   match.degenerate = degenerate_directions(message);
-  for (const DegenerateDirection& degenerate : match.degenerate) {
-    if (!degenerate.direction.allFinite()) return Rejected{"degenerate direction is not finite"};
-    if (!is_valid(degenerate.fill)) return Rejected{"unknown fill"};
-  }
   match.lever_arm_m = message.lever_arm_m;
   match.iterations = message.iterations;
   match.searched = message.searched != 0;
@@ -205,18 +190,11 @@ match_doubt_t to_message(const MatchDoubt& doubt) {
 
 Result<MatchDoubt> from_message(const match_doubt_t& message) {
   using Reason = MatchDoubt::Reason;
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!is_plausible_utime(message.from_utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   if (message.from_utime > message.utime) return Rejected{"ends before it begins"};
   MatchDoubt doubt{message.utime, message.from_utime, Reason(message.reason), {}};
-  if (doubt.reason < Reason::kLost || doubt.reason > Reason::kContradicted) {
-    return Rejected{"unknown reason"};
-  }
   for (std::size_t i = 0; i < message.scores.size(); ++i) {
     const Eigen::Vector3d T(message.T_odom_alternative[i].data());
-    if (!T.allFinite() || !std::isfinite(message.scores[i])) {
-      return Rejected{"alternative is not finite"};
-    }
     doubt.alternatives.push_back({Pose2::from_vector(T), message.scores[i]});
   }
   return doubt;

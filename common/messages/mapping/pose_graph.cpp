@@ -3,10 +3,9 @@
 #include "common/messages/mapping/pose_graph.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
@@ -35,13 +34,11 @@ MapConstraint constraint_from(const pose_constraint_t& message) {
 }
 
 std::string_view header_rejection_reason(const pose_graph_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.revision < 0) return "negative revision";
-  if (message.n_nodes < 0) return "negative number of nodes";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (message.n_nodes > PoseGraphFragment::kNodesMax) return "implausible number of nodes";
   const auto reason = fragment_rejection_reason(message, PoseGraphFragment::kFragmentsMax);
   if (!reason.empty()) return reason;
-  if (message.first_node < 0 || message.first_node > message.n_nodes - message.n_poses) {
+  if (message.first_node > message.n_nodes - message.n_poses) {
     return "poses of nodes outside the graph";
   }
   return {};
@@ -52,10 +49,6 @@ std::string_view rejection_reason(const pose_constraint_t& message, std::int32_t
   if (!is_node(message.from) || !is_node(message.to))
     return "constraint of a node outside the graph";
   if (message.from == message.to) return "constraint of a node with itself";
-  const auto kind = Kind(message.kind);
-  if (kind != Kind::kSequential && kind != Kind::kLoopClosure) return "unknown constraint kind";
-  if (!all_finite(message.T_from_to)) return kPoseNotFinite;
-  if (!is_information_matrix(message.information)) return kInvalidInformation;
   return {};
 }
 
@@ -94,13 +87,7 @@ Result<PoseGraphFragment> from_message(const pose_graph_t& message) {
                              message.z_variance,
                              {}};
   for (const auto& numbers : message.poses) {
-    if (!all_finite(numbers)) return Rejected{kPoseNotFinite};
     fragment.poses.push_back({numbers[0], numbers[1], numbers[2]});
-  }
-  for (const auto* heights : {&fragment.z_m, &fragment.z_variance}) {
-    if (!std::ranges::all_of(*heights, [](double value) { return std::isfinite(value); })) {
-      return Rejected{kPoseNotFinite};
-    }
   }
   for (const pose_constraint_t& constraint : message.constraints) {
     const auto reason = rejection_reason(constraint, message.n_nodes);
@@ -193,17 +180,7 @@ map_correction_t to_message(const MapCorrection& correction) {
 }
 
 Result<MapCorrection> from_message(const map_correction_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.revision < 0) return Rejected{"negative revision"};
-  if (message.local_map < 0 || message.session < 0) return Rejected{"negative id or session"};
-  if (!all_finite(message.T_map_odom) || !std::isfinite(message.z_map_odom_m)) {
-    return Rejected{kPoseNotFinite};
-  }
-  if (!(message.z_variance >= 0.0)) return Rejected{"negative variance"};
-  const Eigen::Matrix3d body_covariance = matrix_from(message.body_covariance);
-  if (!body_covariance.allFinite() || (body_covariance.diagonal().array() < 0.0).any()) {
-    return Rejected{"invalid covariance matrix"};
-  }
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   MapCorrection correction{message.utime,
                            message.revision,
                            message.session,
@@ -212,9 +189,8 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
                            {},
                            message.z_map_odom_m,
                            message.z_variance,
-                           body_covariance};
+                           matrix_from(message.body_covariance)};
   if (message.has_covariance == 0) return correction;
-  if (!is_information_matrix(message.covariance)) return Rejected{"invalid covariance matrix"};
   correction.covariance = matrix_from(message.covariance);
   return correction;
 }
@@ -227,8 +203,7 @@ map_request_t to_message(const MapRequest& request) {
 }
 
 Result<MapRequest> from_message(const map_request_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.requested_by.empty()) return Rejected{"no stage"};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return MapRequest{message.utime, message.requested_by};
 }
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
@@ -74,18 +74,8 @@ TerrainCell cell_from(const terrain_t& message, std::size_t i) {
           static_cast<std::uint16_t>(message.obstacle_parts[i])};
 }
 
-bool is_corner(const double (&p)[2]) {
-  return std::abs(p[0]) <= TerrainFragment::kCornerMaxM &&
-         std::abs(p[1]) <= TerrainFragment::kCornerMaxM;
-}
-
 std::string_view map_rejection_reason(const terrain_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0) return "negative id";
-  if (!all_finite(message.T_odom_level)) return kPoseNotFinite;
-  if (!is_corner(message.p_level_corner)) return "implausible corner";
-  if (!(message.cell_m > 0.0) || !std::isfinite(message.cell_m)) return "invalid cell size";
-  if (message.columns < 0 || message.rows < 0) return "negative number of cells";
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (std::int64_t{message.columns} * message.rows > TerrainFragment::kCellsMax) {
     return "implausible number of cells";
   }
@@ -97,19 +87,8 @@ std::string_view run_rejection_reason(const terrain_t& message) {
   const auto reason = fragment_rejection_reason(message, TerrainFragment::kFragmentsMax);
   if (!reason.empty()) return reason;
   const int cells = message.columns * message.rows;
-  if (message.first_cell < 0 || message.first_cell > cells - message.n_cells) {
+  if (message.first_cell > cells - message.n_cells) {
     return "cells outside the map";
-  }
-  return {};
-}
-
-std::string_view cells_rejection_reason(const terrain_t& message) {
-  const auto unknown = [](std::int8_t ground) {
-    return ground < terrain_t::GROUND_OBSERVED || ground > terrain_t::GROUND_NO_RETURN;
-  };
-  if (std::ranges::any_of(message.ground, unknown)) return "unknown ground";
-  if (std::ranges::any_of(message.count, [](std::int16_t n) { return n < 0; })) {
-    return "negative count of points";
   }
   return {};
 }
@@ -138,7 +117,6 @@ terrain_t to_message(const TerrainFragment& fragment) {
 Result<TerrainFragment> from_message(const terrain_t& message) {
   if (const auto reason = map_rejection_reason(message); !reason.empty()) return Rejected{reason};
   if (const auto reason = run_rejection_reason(message); !reason.empty()) return Rejected{reason};
-  if (const auto reason = cells_rejection_reason(message); !reason.empty()) return Rejected{reason};
   TerrainFragment fragment;
   fragment.header = {message.utime,
                      message.id,
@@ -227,7 +205,7 @@ terrain_ready_t to_message(const TerrainReady& ready) {
 }
 
 Result<TerrainReady> from_message(const terrain_ready_t& message) {
-  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (const auto reason = implausible_field(message); !reason.empty()) return Rejected{reason};
   return TerrainReady{message.utime, message.id, message.complete != 0};
 }
 

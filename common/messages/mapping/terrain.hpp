@@ -36,7 +36,6 @@ struct TerrainHeader {
 struct TerrainFragment {
   static constexpr int kFragmentsMax = 2000;   ///< fragments of a map
   static constexpr int kCellsMax = 4'000'000;  ///< cells of a map
-  static constexpr double kCornerMaxM = 1e5;   ///< absolute coordinate limit of the corner
 
   TerrainHeader header;  ///< of the complete map
   int n_fragments = 1;

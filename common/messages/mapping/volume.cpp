@@ -3,31 +3,18 @@
 #include "common/messages/mapping/volume.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 
 namespace adit {
 namespace {
 
-std::string_view header_rejection_reason(const volume_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0 || message.local_map < 0) return "negative id";
-  if (message.revision < 1) return "revision without a cloud";
-  if (message.graph_revision < 0) return "negative revision";
-  if (!all_finite(message.T_map_volume) || !std::isfinite(message.z_map_m)) return kPoseNotFinite;
-  if (!(message.cell_m > 0.0 && message.cell_m <= VolumeFragment::kCellMaxM)) {
-    return "implausible cell size";
-  }
-  if (message.occupied < 0 || message.free < 0) return "negative number of cells";
-  return {};
-}
-
-std::string_view octree_rejection_reason(const volume_t& message) {
-  if (message.n_fragments < 0) return "negative number of fragments";
+std::string_view rejection_reason(const volume_t& message) {
+  if (const auto reason = implausible_field(message); !reason.empty()) return reason;
   if (message.n_fragments > 0) {
     return fragment_rejection_reason(message, VolumeFragment::kFragmentsMax);
   }
@@ -58,10 +45,7 @@ volume_t to_message(const VolumeFragment& fragment) {
 }
 
 Result<VolumeFragment> from_message(const volume_t& message) {
-  if (const auto reason = header_rejection_reason(message); !reason.empty())
-    return Rejected{reason};
-  if (const auto reason = octree_rejection_reason(message); !reason.empty())
-    return Rejected{reason};
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
   Volume volume{message.utime,          message.id,        message.revision,
                 message.graph_revision, message.local_map, pose_from(message.T_map_volume),
                 message.cell_m,         message.occupied,  message.free,

@@ -18,7 +18,6 @@ namespace adit {
 /// A part of the octree of a sub-volume, on channel VOLUME.
 struct VolumeFragment {
   static constexpr int kFragmentsMax = 100;  ///< fragments of a sub-volume
-  static constexpr double kCellMaxM = 10.0;
 
   Volume part;          ///< the complete header, and a part of the octree
   int n_fragments = 1;  ///< 0: pose update without an octree

@@ -8,6 +8,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
+#include "common/bus/motion_steps.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/local_map.hpp"
@@ -76,10 +77,12 @@ class Reader {
   }
 
   void add_truth(const StampedPose& pose) {
+    if (!truth_steps_.check(stream_pose(pose), pose.utime).empty()) return;
     if (is_due(log_.truth, pose.utime))
       log_.truth.push_back({pose.utime, pose.T_odom_body, pose.z_m});
   }
   void add_pose(const StampedPose& pose) {
+    if (!pose_steps_.check(stream_pose(pose), pose.utime).empty()) return;
     if (!is_due(odom_, pose.utime)) return;
     odom_.push_back({pose.utime, pose.T_odom_body, pose.z_m});
     log_.estimated.push_back({pose.utime, correction_.T_map_odom * pose.T_odom_body,
@@ -125,6 +128,8 @@ class Reader {
   }
 
   MissionLog log_;
+  MotionSteps truth_steps_;
+  MotionSteps pose_steps_;
   Trajectory odom_;
   MapCorrection correction_;
   std::map<int, LocalMap> locals_;  ///< with a part of their scans only

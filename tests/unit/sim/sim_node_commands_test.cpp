@@ -89,9 +89,9 @@ TEST_F(SimNodeCommands, ThatAreNotFiniteAreRejectedAndCounted) {
 }
 
 TEST_F(SimNodeCommands, BeyondTheLimitsAreClamped) {
-  send(TiltCommand{kStart, 1e300, 1e300});
+  send(TiltCommand{kStart, 6.0, 15.0});
   bus_.create_timer(50'000, [this](std::int64_t utime) {
-    send(DriveCommand{utime, 1e300, -1e300});
+    send(DriveCommand{utime, 25.0, -90.0});
   });
   run(1.5);
   const Vehicle vehicle;

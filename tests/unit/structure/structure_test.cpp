@@ -142,9 +142,9 @@ TEST(Structure, SimulatorLibrariesAreBehindOneClassEach) {
 }
 
 /// Types defined in headers, with the defining files. All programs link everything: two types of
-/// one name would violate the one-definition rule without a diagnostic.
+/// one name would violate the one-definition rule without a diagnostic. Without specialisations.
 std::map<std::string, std::set<std::string>> defined_types() {
-  static const std::regex pattern(R"((?:^|\n)(?:class|struct|enum class) (\w+)[^;\n]*\{)");
+  static const std::regex pattern(R"((?:^|\n)(?:class|struct|enum class) (\w+)\b(?!<)[^;\n]*\{)");
   std::map<std::string, std::set<std::string>> types;
   for (const fs::path& path : source_files()) {
     const std::string file = adit::name_in_tree(path);

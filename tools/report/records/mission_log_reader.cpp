@@ -18,7 +18,7 @@
 #include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/files/mapped_file.hpp"
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 namespace {

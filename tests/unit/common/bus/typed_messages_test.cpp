@@ -45,7 +45,7 @@ TEST(TypedSubscription, CountsDecodingAndConversionErrors) {
   publish(bus, channels::kLaserFront, message);
   EXPECT_EQ(bus.stats(id).rejected, 2);
   EXPECT_EQ(bus.stats(id).rejections.at("truncated, or invalid count"), 1);
-  EXPECT_EQ(bus.stats(id).rejections.at("first bearing is not finite"), 1);
+  EXPECT_EQ(bus.stats(id).rejections.at("implausible first bearing"), 1);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/messages/checks.hpp"
 #include "common/messages/codec.hpp"
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/fragments.hpp"
 
 namespace adit {
@@ -79,8 +79,8 @@ TEST(ExplorationMessage, IsRejectedWithInvalidContent) {
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.kind = 5; }), "unknown decision");
   EXPECT_EQ(rejection_after([](Message& m) { m.frontier = -2; }), "negative frontier id");
-  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_goal[2] = kNaN; }), "pose is not finite");
-  EXPECT_EQ(rejection_after([](Message& m) { m.explored_m = kNaN; }), "distance is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_goal[2] = kNaN; }), kImplausibleHeading);
+  EXPECT_EQ(rejection_after([](Message& m) { m.explored_m = kNaN; }), kInvalidDistance);
   EXPECT_EQ(rejection_after([](Message& m) { m.n_frontiers_found = 1; }),
             "frontier count below the number of frontiers");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_corridors_found = 1; }),
@@ -95,18 +95,17 @@ TEST(ExplorationMessage, IsRejectedWithInvalidParts) {
             "unknown frontier state");
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].p_map[0] = kNaN; }),
-            "frontier is not finite");
+            kImplausiblePosition);
   EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].kind = 3; }), "unknown node kind");
-  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].p_map[1] = kNaN; }), "node is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].p_map[1] = kNaN; }), kImplausiblePosition);
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].to = 3; }), "corridor without nodes");
-  EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].length_m = kNaN; }),
-            "corridor is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].length_m = kNaN; }), kInvalidDistance);
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].points_map.resize(1); }),
             "corridor with fewer than two points");
   EXPECT_EQ(rejection_after([](Message& m) {
               m.corridors[1].points_map[0][1] = std::numeric_limits<float>::infinity();
             }),
-            "corridor is not finite");
+            kImplausiblePosition);
 }
 
 }  // namespace

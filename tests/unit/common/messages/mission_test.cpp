@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "common/messages/checks.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/exploration.hpp"
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mapping/terrain.hpp"

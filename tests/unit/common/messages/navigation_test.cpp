@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/fragments.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "common/messages/sensing.hpp"
@@ -106,7 +107,7 @@ TEST(PlanGoalMessage, IsRejectedWithAnInvalidGoal) {
               m.route_odom = {{1.0, kNaN}};
               m.n_route = 1;
             }),
-            "route is not finite");
+            kImplausiblePosition);
   for (const std::int8_t kind : {Message::KIND_RETRACE, Message::KIND_REJOIN}) {
     EXPECT_EQ(rejection([&](Message& m) { m.kind = kind; }), "invalid traversed path");
   }
@@ -114,10 +115,10 @@ TEST(PlanGoalMessage, IsRejectedWithAnInvalidGoal) {
               m.traversed_path_odom = {{1.0, 2.0, kNaN}};
               m.n_traversed_path = 1;
             }),
-            "traversed path is not finite");
+            kImplausibleHeading);
   EXPECT_EQ(rejection([](Message& m) { m.kind = -1; }), "unknown kind");
-  EXPECT_EQ(rejection([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");
+  EXPECT_EQ(rejection([](Message& m) { m.T_odom_goal[1] = kNaN; }), kImplausiblePosition);
+  EXPECT_EQ(rejection([](Message& m) { m.distance_max_m = kNaN; }), "distance is not positive");
   EXPECT_EQ(rejection([](Message& m) { m.distance_max_m = 0.0; }), "distance is not positive");
 }
 
@@ -160,19 +161,19 @@ TEST(PlannedPathMessage, IsRejectedWithInvalidNumbers) {
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(found(), change);
   };
-  EXPECT_EQ(rejection([](Message& m) { m.reached_m = kNaN; }), "progress is not finite");
-  EXPECT_EQ(rejection([](Message& m) { m.points[1].T_odom_body[0] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection([](Message& m) { m.reached_m = kNaN; }), kInvalidDistance);
+  EXPECT_EQ(rejection([](Message& m) { m.points[1].T_odom_body[0] = kNaN; }), kImplausiblePosition);
   EXPECT_EQ(rejection([](Message& m) { m.points[1].curvature_1_m = kNaN; }),
-            "curvature is not finite");
-  EXPECT_EQ(rejection([](Message& m) { m.points[1].clearance_m = kNaN; }), "clearance is NaN");
-  EXPECT_EQ(rejection([](Message& m) { m.points[1].cost = kNaN; }), "cost is not finite");
+            "implausible curvature");
+  EXPECT_EQ(rejection([](Message& m) { m.points[1].clearance_m = kNaN; }), "implausible clearance");
+  EXPECT_EQ(rejection([](Message& m) { m.points[1].cost = kNaN; }), "implausible cost");
 }
 
 TEST(PlannedPathMessage, IsRejectedWithInvalidBlockingCells) {
   using Message = planned_path_t;
   EXPECT_EQ(
       rejection_after<Message>(blocked(2), [](Message& m) { m.blocking[1].p_odom[0] = kNaN; }),
-      "blocking cell is not finite");
+      kImplausiblePosition);
   EXPECT_EQ(rejection_after<Message>(blocked(2), [](Message& m) { m.blocking[1].reason = 7; }),
             "unknown blocking reason");
   EXPECT_TRUE(rejection_after<Message>(blocked(2), [](Message& m) {
@@ -189,9 +190,8 @@ TEST(DrivingStateMessage, IsRejectedWithInvalidContent) {
   EXPECT_EQ(rejection([](Message& m) { m.state = -1; }), "unknown state");
   EXPECT_EQ(rejection([](Message& m) { m.progress_m = kNaN; }), "invalid distance");
   EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "invalid distance");
-  EXPECT_EQ(rejection([](Message& m) { m.lateral_error_m = kNaN; }), "lateral error is not finite");
-  EXPECT_EQ(rejection([](Message& m) { m.heading_error_rad = kNaN; }),
-            "heading error is not finite");
+  EXPECT_EQ(rejection([](Message& m) { m.lateral_error_m = kNaN; }), "implausible lateral error");
+  EXPECT_EQ(rejection([](Message& m) { m.heading_error_rad = kNaN; }), "implausible heading error");
 }
 
 }  // namespace

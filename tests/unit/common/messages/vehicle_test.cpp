@@ -3,7 +3,7 @@
 // Commands and states of the vehicle, and states of the simulator.
 #include <gtest/gtest.h>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
@@ -52,13 +52,13 @@ TEST(VehicleMessages, AreRejectedWithImplausibleTimes) {
 }
 
 TEST(DriveCommandMessage, IsRejectedWithNumbersThatAreNotFinite) {
-  EXPECT_EQ(round_trip(DriveCommand{kUtime, kNaN, 0.0}).rejection(), "speed is not finite");
-  EXPECT_EQ(round_trip(DriveCommand{kUtime, 0.0, kNaN}).rejection(), "curvature is not finite");
+  EXPECT_EQ(round_trip(DriveCommand{kUtime, kNaN, 0.0}).rejection(), "implausible speed");
+  EXPECT_EQ(round_trip(DriveCommand{kUtime, 0.0, kNaN}).rejection(), "implausible curvature");
 }
 
 TEST(TiltCommandMessage, IsRejectedWithAnInvalidTarget) {
-  EXPECT_EQ(round_trip(TiltCommand{kUtime, kNaN, 0.1}).rejection(), "angle is not finite");
-  EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, kNaN}).rejection(), "rate is not finite");
+  EXPECT_EQ(round_trip(TiltCommand{kUtime, kNaN, 0.1}).rejection(), "implausible angle");
+  EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, kNaN}).rejection(), "rate is not positive");
   EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, 0.0}).rejection(), "rate is not positive");
 }
 
@@ -77,14 +77,14 @@ TEST(GasMessage, IsRejectedWithInvalidShares) {
 
 TEST(SinkageMessage, IsRejectedWithInvalidDepths) {
   EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, -0.1, 0.0}}).rejection(),
-            "depth is negative");
+            "implausible depth");
   EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, 0.0, kNaN}}).rejection(),
-            "depth is not finite");
+            "implausible depth");
 }
 
 TEST(RunStateMessage, IsRejectedWithAnInvalidDistance) {
-  EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), "distance is negative");
-  EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), "distance is not finite");
+  EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), kInvalidDistance);
+  EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), kInvalidDistance);
 }
 
 TEST(SimTimeDoneMessage, IsRejectedWithoutAStage) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/mapping_node.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -12,12 +13,14 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/sensing.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/message_fields.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/sim/sample_run.hpp"
 
@@ -57,15 +60,26 @@ class MappingNodeOnABus : public testing::Test {
   }
 
   void drive(int scans) {
-    for (int i = 0; i < scans; ++i) {
-      const auto reading = run_.next();
-      matching_.add(reading->odometry);
-      ScanMatch match = matching_.add_scan(LaserId::kFront, reading->scan);
-      match.channel = channels::kLaserFront;
-      bus_->inject(reading->scan.utime, channels::kLaserFront, encode(to_message(reading->scan)));
-      bus_->inject(reading->scan.utime, channels::kScanMatch, encode(to_message(match)));
-      utime_ = reading->scan.utime;
-    }
+    for (int i = 0; i < scans; ++i) add_match(next_match());
+  }
+
+  /// Sends the next scan, and returns the message of its match.
+  const std::vector<std::uint8_t>& next_match() {
+    const auto reading = run_.next();
+    matching_.add(reading->odometry);
+    ScanMatch match = matching_.add_scan(LaserId::kFront, reading->scan);
+    match.channel = channels::kLaserFront;
+    scan_ = encode(to_message(reading->scan));
+    utime_ = reading->scan.utime;
+    send_scan();
+    return match_ = encode(to_message(match));
+  }
+
+  void send_scan() { bus_->inject(utime_, channels::kLaserFront, scan_); }
+  [[nodiscard]] const std::vector<std::uint8_t>& last_match() const { return match_; }
+
+  void add_match(const std::vector<std::uint8_t>& message) {
+    bus_->inject(utime_, channels::kScanMatch, message);
   }
 
   test::ScratchFolder scratch_;
@@ -78,6 +92,8 @@ class MappingNodeOnABus : public testing::Test {
   std::optional<MapGraph> graph_;
   std::optional<MapCorrection> correction_;
   std::vector<MapContradictions> contradictions_;
+  std::vector<std::uint8_t> scan_;
+  std::vector<std::uint8_t> match_;
   std::int64_t utime_ = 0;
 };
 
@@ -131,6 +147,32 @@ TEST_F(MappingNodeOnABus, PublishesNoCorrectionBeforeTheFirstMapInNewOdom) {
   ASSERT_TRUE(correction_);
   EXPECT_EQ(correction_->session, 1);
   EXPECT_TRUE(correction_->covariance);
+}
+
+/// Before each true match comes one with an extreme value in one field, of a scan of its own.
+TEST_F(MappingNodeOnABus, MapsAfterExtremesInEveryFieldOfAMatch) {
+  drive(100);
+  const FieldLayout layout = field_layout<scan_match_t>(next_match());
+  int sent = 0;
+  for (const FieldPlace& place : layout.places()) {
+    if (place.name.ends_with("utime") || place.kind == FieldPlace::Kind::kText) continue;
+    for (const std::uint64_t bits : extreme_bits(place)) {
+      for (const auto status : {scan_match_t::STATUS_MATCHED, scan_match_t::STATUS_LOST}) {
+        std::vector<std::uint8_t> match = last_match();
+        if (place.offset + place.bytes > match.size()) continue;  // no longer degenerate
+        write_bits(layout.places()[4], static_cast<std::uint64_t>(status), match);
+        write_bits(place, bits, match);
+        send_scan();
+        ASSERT_NO_THROW(add_match(match)) << place.name << ", " << number_of(place, bits);
+        ++sent;
+      }
+    }
+    ASSERT_NO_THROW(drive(1)) << place.name;
+  }
+  EXPECT_GT(sent, 500);
+  const std::size_t maps = node_->map().local_maps().size();
+  drive(200);
+  EXPECT_GT(node_->map().local_maps().size(), maps + 2);
 }
 
 }  // namespace

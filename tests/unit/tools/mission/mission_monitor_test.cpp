@@ -81,9 +81,10 @@ TEST_F(MissionMonitorTest, HasEndedTwoSecondsAfterTheEndedPhase) {
 }
 
 TEST_F(MissionMonitorTest, MeasuresDistancesFromTheFirstStart) {
+  std::int64_t utime = kStart;
   const auto publish_truth = [&](double x_m, double z_m) {
-    publish(bus_, channels::kTruth, to_message(StampedPose{kStart, {x_m, 4.0, 0.0}, {}, z_m}));
-    bus_.advance_to(kStart);
+    publish(bus_, channels::kTruth, to_message(StampedPose{utime, {x_m, 4.0, 0.0}, {}, z_m}));
+    bus_.advance_to(utime += kSecond);
   };
   publish_truth(6.0, -2.0);
   EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 5.0);  // 3, 4, 5

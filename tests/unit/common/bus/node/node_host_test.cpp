@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/bus/node/node_host.hpp"
 
+#include <cerrno>
+#include <cstdint>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -11,6 +15,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/files/file_error.hpp"
 #include "common/messages/diagnostics.hpp"
 
 namespace adit {
@@ -131,6 +136,52 @@ TEST_F(NodeHostTest, ReportsEachKindOfRejectionOnce) {
   bus_.publish("POSE", {});
   run_for(5);
   EXPECT_EQ(errors.str(), "mapping: POSE rejected: empty\n");
+}
+
+TEST_F(NodeHostTest, ContainsAHandlerThatFails) {
+  std::ostringstream errors;
+  NodeHost host(bus_, {"mapping", "0.1.0", ""}, StageBus::Measure::kNothing, &errors);
+  int handled = 0;
+  host.bus().subscribe("POSE", Delivery::queued(9),
+                       [&handled](const ReceivedMessage& received) -> std::string_view {
+                         if (received.bytes.empty()) throw std::length_error("no bytes");
+                         ++handled;
+                         return {};
+                       });
+  run_for(1);
+  EXPECT_EQ(heartbeats_.back().health, Health{});
+  bus_.publish("POSE", {});
+  bus_.publish("POSE", std::vector<std::uint8_t>{1});
+  EXPECT_EQ(handled, 1);
+  EXPECT_EQ(host.subscription_stats()[0].rejections.at("the handler failed"), 1);
+  for (int i = 11; i <= 100; ++i) bus_.advance_to(kStart + i * kSecond / 10);
+  const Health failed{Health::Level::kDegraded,
+                      "1 messages or timers failed, the last: POSE: no bytes"};
+  EXPECT_EQ(heartbeats_.back().health, failed);  // as long as the stage runs
+  EXPECT_EQ(errors.str(),
+            "mapping: POSE rejected: the handler failed\nmapping: " + failed.reason + "\n");
+}
+
+TEST_F(NodeHostTest, ContainsATimerThatFails) {
+  NodeHost host(bus_, {"mapping", "0.1.0", ""});
+  host.bus().create_timer(kSecond, [](std::int64_t) { throw std::logic_error("too far"); });
+  run_for(3);
+  EXPECT_EQ(host.failures().count, 4);
+  EXPECT_EQ(host.failures().last, "a timer: too far");
+}
+
+/// A stage ends without its files and devices.
+TEST_F(NodeHostTest, PassesOnFailuresOfFilesAndDevices) {
+  NodeHost host(bus_, {"mapping", "0.1.0", ""});
+  host.bus().subscribe("POSE", Delivery::queued(9), [](const ReceivedMessage&) -> std::string_view {
+    throw FileError("/maps/1: no space left");
+  });
+  host.bus().subscribe("IMU", Delivery::queued(9), [](const ReceivedMessage&) -> std::string_view {
+    throw std::system_error(EIO, std::generic_category());
+  });
+  EXPECT_THROW(bus_.publish("POSE", {}), FileError);
+  EXPECT_THROW(bus_.publish("IMU", {}), std::system_error);
+  EXPECT_EQ(host.failures().count, 0);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/typed_messages.hpp"
+#include "common/files/file_error.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -42,7 +43,7 @@ class ThrowingNode {
  public:
   using Params = adit::Params;
   ThrowingNode(Bus& bus, const Params&) {
-    bus.create_timer(1000, [](std::int64_t) { throw std::runtime_error("the laser is gone"); });
+    bus.create_timer(1000, [](std::int64_t) { throw FileError("the laser is gone"); });
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
@@ -63,9 +64,8 @@ TEST(MapCorrectionMessage, IsRejectedWithInvalidNumbers) {
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.session = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](Message& m) { m.local_map = -1; }), "negative id or session");
-  EXPECT_EQ(rejection_after([](Message& m) { m.T_map_odom[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }),
-            "invalid covariance matrix");
+  EXPECT_EQ(rejection_after([](Message& m) { m.T_map_odom[2] = kNaN; }), kImplausibleHeading);
+  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }), kInvalidCovariance);
 }
 
 TEST(AssociationMessage, SurvivesARoundTrip) {
@@ -95,11 +95,11 @@ TEST(AssociationMessage, IsRejectedWithInvalidAlternatives) {
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].older_map = -1; }),
             "alternative is not an older map");
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].T_older_newer[0] = kNaN; }),
-            kPoseNotFinite);
+            kImplausiblePosition);
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].information[0][0] = -1.0; }),
             kInvalidInformation);
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].log_likelihood = kNaN; }),
-            "likelihood is not finite");
+            "implausible likelihood");
   EXPECT_EQ(rejection_after([](Message& m) {
               m.alternatives.resize(501, m.alternatives[0]);
               m.n_alternatives = 501;
@@ -113,8 +113,7 @@ TEST(AssociationMessage, IsRejectedWithInvalidNumbers) {
   EXPECT_EQ(rejection_after([](Message& m) { m.action = 2; }), "unknown action");
   EXPECT_EQ(rejection_after([](Message& m) { m.loop_closure = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.newer_map = -1; }), "negative id");
-  EXPECT_EQ(rejection_after([](Message& m) { m.log_likelihood = kNaN; }),
-            "likelihood is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.log_likelihood = kNaN; }), "implausible likelihood");
 }
 
 MapContradictions contradictions() { return {kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}}; }
@@ -147,7 +146,7 @@ TEST(MapContradictionsMessage, IsRejectedWithInvalidNumbers) {
             "pair is not an older and a newer map");
   EXPECT_EQ(rejection_after([](Message& m) { m.older_maps[1] = -1; }),
             "pair is not an older and a newer map");
-  EXPECT_EQ(rejection_after([](Message& m) { m.evidence[0] = kNaN; }), "evidence is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.evidence[0] = kNaN; }), "implausible likelihood");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
 
@@ -90,8 +91,8 @@ TEST(CloudMessage, IsRejectedWithAnInvalidHeader) {
   using Message = cloud_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
-  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.z_odom_m = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[2] = kNaN; }), kImplausibleHeading);
+  EXPECT_EQ(rejection_after([](Message& m) { m.z_odom_m = kNaN; }), kImplausibleHeight);
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
             "implausible number of fragments");

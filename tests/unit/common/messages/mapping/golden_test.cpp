@@ -53,9 +53,9 @@ TEST(Golden, ScanMatch) {
   message.status = scan_match_t::STATUS_LOST;
   fill(message.T_odom_body, {1.5, 2.5, 0.5});
   fill(message.delta, {0.25, 0.125, 0.0625});
-  fill(message.covariance[0], {1.0, 2.0, 3.0});
-  fill(message.covariance[1], {4.0, 5.0, 6.0});
-  fill(message.covariance[2], {7.0, 8.0, 9.0});
+  fill(message.covariance[0], {10.0, 2.0, 3.0});
+  fill(message.covariance[1], {2.0, 11.0, 5.0});
+  fill(message.covariance[2], {3.0, 5.0, 12.0});
   message.z_m = -3.5;
   message.has_attitude = 1;
   message.roll_rad = 0.03125;
@@ -68,7 +68,7 @@ TEST(Golden, ScanMatch) {
   message.contradiction_share = 0.375;
   message.rms_residual_m = 0.015625;
   message.n_degenerate = 2;
-  message.degenerate_directions = {{1.0, 0.0, 0.25}, {0.0, 0.75, 0.5}};
+  message.degenerate_directions = {{0.6, 0.0, 0.8}, {0.0, 0.8, 0.6}};
   message.degenerate_fills = {scan_match_t::FILL_ODOMETRY, scan_match_t::FILL_IMU};
   message.lever_arm_m = 1.25;
   message.iterations = 12;
@@ -82,7 +82,7 @@ TEST(Golden, ScanMatch) {
   match.status = ScanMatch::Status::kLost;
   match.T_odom_body = {1.5, 2.5, 0.5};
   match.T_reference_body = {0.25, 0.125, 0.0625};
-  match.covariance << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
+  match.covariance << 10.0, 2.0, 3.0, 2.0, 11.0, 5.0, 3.0, 5.0, 12.0;
   match.z_m = -3.5;
   match.attitude = Attitude{0.03125, -0.1875};
   match.ground_beams = {90, 259};
@@ -90,8 +90,8 @@ TEST(Golden, ScanMatch) {
   match.inlier_share = 0.875;
   match.contradiction_share = 0.375;
   match.rms_residual_m = 0.015625;
-  match.degenerate = {{{1.0, 0.0, 0.25}, DegenerateDirection::Fill::kOdometry},
-                      {{0.0, 0.75, 0.5}, DegenerateDirection::Fill::kImu}};
+  match.degenerate = {{{0.6, 0.0, 0.8}, DegenerateDirection::Fill::kOdometry},
+                      {{0.0, 0.8, 0.6}, DegenerateDirection::Fill::kImu}};
   match.lever_arm_m = 1.25;
   match.iterations = 12;
   match.searched = true;

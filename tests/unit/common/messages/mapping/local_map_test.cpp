@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
 
@@ -63,9 +64,10 @@ TEST(LocalMapMessage, IsRejectedWithInvalidTimes) {
 TEST(LocalMapMessage, IsRejectedWithInvalidNumbers) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.id = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.session = -1; }), "negative id or session");
-  EXPECT_EQ(rejection_after([](local_map_t& map) { map.T_odom_local[1] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](local_map_t& map) { map.T_odom_local[1] = kNaN; }),
+            kImplausiblePosition);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.T_previous_local[2] = kNaN; }),
-            kPoseNotFinite);
+            kImplausibleHeading);
 }
 
 TEST(LocalMapMessage, IsRejectedWithInvalidInformation) {
@@ -100,9 +102,9 @@ TEST(LocalMapMessage, IsRejectedWithInvalidScans) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].angle_step_rad = 0.0; }),
             "bearings do not increase");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].angle_min_rad = kNaN; }),
-            "first bearing is not finite");
+            "implausible first bearing");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].T_local_body[0] = kNaN; }),
-            kPoseNotFinite);
+            kImplausiblePosition);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].utime = kUtime - 1; }),
             "scan outside the time range of its local map");
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
 
@@ -96,9 +97,9 @@ TEST(PoseGraphMessage, IsRejectedWithAnInvalidHeader) {
 
 TEST(PoseGraphMessage, IsRejectedWithInvalidPosesAndConstraints) {
   using Message = pose_graph_t;
-  EXPECT_EQ(rejection_after([](Message& m) { m.poses[1][0] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.poses[1][0] = kNaN; }), kImplausiblePosition);
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].T_from_to[0] = kNaN; }),
-            kPoseNotFinite);
+            kImplausiblePosition);
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].information[1][1] = -1.0; }),
             kInvalidInformation);
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].kind = 9; }),

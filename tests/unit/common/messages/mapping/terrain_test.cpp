@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
 
@@ -118,12 +119,12 @@ TEST(TerrainMessage, IsRejectedWithAnInvalidHeader) {
   using Message = terrain_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
-  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[0] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[0] = kNaN; }), kImplausiblePosition);
   for (const double x : {kNaN, 1e6}) {
     EXPECT_EQ(rejection_after([x](Message& m) { m.p_level_corner[1] = x; }), "implausible corner");
   }
   for (const double cell : {kNaN, 0.0, -0.1}) {
-    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "invalid cell size");
+    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "implausible cell size");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.columns = -1; }), "negative number of cells");
   EXPECT_EQ(rejection_after([](Message& m) { m.rows = m.columns = INT32_MAX; }),

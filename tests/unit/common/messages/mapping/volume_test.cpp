@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/messages/fields/quantities.hpp"
 #include "common/messages/planar_geometry.hpp"
 #include "tests/unit/common/messages/map_values.hpp"
 
@@ -93,8 +94,8 @@ TEST(VolumeMessage, IsRejectedWithAnInvalidHeader) {
   EXPECT_EQ(rejection_after([](Message& m) { m.local_map = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = 0; }), "revision without a cloud");
   EXPECT_EQ(rejection_after([](Message& m) { m.graph_revision = -1; }), "negative revision");
-  EXPECT_EQ(rejection_after([](Message& m) { m.T_map_volume[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.z_map_m = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.T_map_volume[2] = kNaN; }), kImplausibleHeading);
+  EXPECT_EQ(rejection_after([](Message& m) { m.z_map_m = kNaN; }), kImplausibleHeight);
   for (const double cell : {kNaN, 0.0, -0.1, 11.0}) {
     EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "implausible cell size");
   }
@@ -104,7 +105,7 @@ TEST(VolumeMessage, IsRejectedWithAnInvalidHeader) {
 TEST(VolumeMessage, IsRejectedWithAnInvalidFragment) {
   using Message = volume_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = -1; }),
-            "negative number of fragments");
+            "implausible number of fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 101; }),
             "implausible number of fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }),

@@ -48,8 +48,9 @@ constexpr std::size_t kOrderOneIn = 500;
 }  // namespace
 
 FuzzedMission::FuzzedMission(const Site& site, const std::filesystem::path& folder,
-                             std::uint64_t seed)
-    : types_(message_types()),
+                             std::uint64_t seed, std::function<void()> alive)
+    : alive_(std::move(alive)),
+      types_(message_types()),
       params_(load_simulation_params({}, {})),
       sim_host_(bus_, {kSimSection, "", ""}),
       sim_(sim_host_.bus(), site, params_, seed, kStartUtime),
@@ -136,6 +137,7 @@ void FuzzedMission::check_command(std::span<const std::uint8_t> bytes) {
 }
 
 void FuzzedMission::advance() {
+  alive_();
   bus_.advance_to(sim_.next_utime());
   sim_.step();
 }
@@ -173,6 +175,7 @@ void FuzzedMission::send_burst() {
 }
 
 void FuzzedMission::send(const std::string& channel, Sample& sample) {
+  alive_();
   ++sample.uses;
   const Bytes message = mutated(sample);
   const auto start = std::chrono::steady_clock::now();
@@ -222,13 +225,12 @@ std::map<std::string, ChannelCounts, std::less<>> FuzzedMission::counts() const 
   return counts;
 }
 
-std::vector<std::string> FuzzedMission::recover(const std::function<void()>& alive) {
+std::vector<std::string> FuzzedMission::recover() {
   std::vector<std::string> missing;
   const std::int64_t end = bus_.now_utime() + kRecoveryMaxUs;
   do {
     const std::int64_t next = bus_.now_utime() + kRecoveryUs;
     while (bus_.now_utime() < next) {
-      alive();
       advance();
     }
     missing = missing_output();

@@ -37,16 +37,17 @@ struct ChannelCounts {
 /// damaged. Deterministic for a seed.
 class FuzzedMission {
  public:
-  /// Journals are written to `folder`.
-  FuzzedMission(const Site& site, const std::filesystem::path& folder, std::uint64_t seed);
+  /// Journals are written to `folder`. `alive` is called before each message and each step.
+  FuzzedMission(const Site& site, const std::filesystem::path& folder, std::uint64_t seed,
+                std::function<void()> alive);
 
   /// Advances the simulation, and sends messages. Returns how many.
   std::int64_t step();
 
   /// Advances the simulation without mutated messages until every stage works, from two to twelve
   /// seconds: a time stamp in the future delays later ones. Returns what does not work then, one
-  /// clause each. Calls `alive` at each step.
-  std::vector<std::string> recover(const std::function<void()>& alive);
+  /// clause each.
+  std::vector<std::string> recover();
 
   /// Commands of the stages beyond the limits of the vehicle, exceptions of handlers, and a
   /// collision, one clause each.
@@ -83,6 +84,7 @@ class FuzzedMission {
   [[nodiscard]] Bytes mutated(const Sample& sample);
   [[nodiscard]] std::size_t below(std::size_t end);
 
+  std::function<void()> alive_;
   std::vector<MessageType> types_;
   std::map<std::int64_t, const MessageType*> by_fingerprint_;
   SimulationParams params_;

@@ -10,7 +10,7 @@
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 kFuzzCases=1000000
-kFuzzMessages=200000
+kFuzzMessages=50000
 
 "$root/deploy/install_dependencies.sh" build test check
 cd "$root"

@@ -25,8 +25,12 @@ namespace adit::fuzz {
 namespace {
 
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
-constexpr std::size_t kBurstOneIn = 2;     // steps
-constexpr int kBurstLength = 64;           // messages
+constexpr std::size_t kBurstOneIn = 2;    // steps
+constexpr int kBurstLength = 64;          // messages
+constexpr std::size_t kBeforeOneIn = 8;   // messages of the mission
+constexpr int kCopies = 4;                // sent before one of them
+constexpr std::size_t kCopiedMax = 4000;  // [bytes]
+constexpr std::size_t kSecondFieldOneIn = 8;
 constexpr std::int64_t kSampleUses = 200;  // mutations of a sample before the next one
 constexpr std::size_t kFieldsOneIn = 4;    // all but one in so many mutate a field, the rest bytes
 constexpr std::int64_t kRecoveryUs = 2'000'000;
@@ -44,8 +48,9 @@ constexpr std::size_t kOrderOneIn = 500;
 }  // namespace
 
 FuzzedMission::FuzzedMission(const Site& site, const std::filesystem::path& folder,
-                             std::uint64_t seed)
-    : types_(message_types()),
+                             std::uint64_t seed, std::function<void()> alive)
+    : alive_(std::move(alive)),
+      types_(message_types()),
       params_(load_simulation_params({}, {})),
       sim_host_(bus_, {kSimSection, "", ""}),
       sim_(sim_host_.bus(), site, params_, seed, kStartUtime),
@@ -100,6 +105,7 @@ void FuzzedMission::observe(const ReceivedMessage& message) {
   if (message.channel == channels::kDriveCommand) check_command(message.bytes);
   const auto type = by_fingerprint_.find(fingerprint(message.bytes));
   if (type == by_fingerprint_.end()) return;
+  if (sends_ && below(kBeforeOneIn) == 0) send_before(message, *type->second);
   const auto sample = samples_.try_emplace(std::string(message.channel)).first;
   if (sample->second.uses < kSampleUses && sample->second.type != nullptr) return;
   set_sample(*type->second, message.bytes, sample->second);
@@ -131,34 +137,54 @@ void FuzzedMission::check_command(std::span<const std::uint8_t> bytes) {
 }
 
 void FuzzedMission::advance() {
+  alive_();
   bus_.advance_to(sim_.next_utime());
   sim_.step();
 }
 
-int FuzzedMission::step() {
+std::int64_t FuzzedMission::step() {
+  const std::int64_t before = sent_;
+  sends_ = true;
   advance();
-  if (below(kBurstOneIn) != 0) return 0;
-  return send_burst();
+  if (below(kBurstOneIn) == 0) send_burst();
+  sends_ = false;
+  return sent_ - before;
+}
+
+/// Sends mutated copies of a message before it is delivered: a stage that waits for a message of
+/// this time uses the first that arrives.
+void FuzzedMission::send_before(const ReceivedMessage& message, const MessageType& type) {
+  const std::string channel(message.channel);
+  if (message.bytes.size() > kCopiedMax ||
+      std::ranges::find(subscribed_, channel) == subscribed_.end())
+    return;
+  Sample sample;
+  set_sample(type, message.bytes, sample);
+  sample.is_current = true;
+  sends_ = false;
+  for (int i = 0; i < kCopies; ++i) send(channel, sample);
+  sends_ = true;
 }
 
 /// Messages of one channel.
-int FuzzedMission::send_burst() {
+void FuzzedMission::send_burst() {
   const std::string& channel = subscribed_[below(subscribed_.size())];
-  if (channel == channels::kMissionOrder && below(kOrderOneIn) != 0) return 0;
+  if (channel == channels::kMissionOrder && below(kOrderOneIn) != 0) return;
   Sample& sample = samples_.at(channel);
   for (int i = 0; i < kBurstLength; ++i) send(channel, sample);
-  return kBurstLength;
 }
 
 void FuzzedMission::send(const std::string& channel, Sample& sample) {
+  alive_();
   ++sample.uses;
   const Bytes message = mutated(sample);
   const auto start = std::chrono::steady_clock::now();
   injecting_ = true;
-  bus_.inject(bus_.now_utime(), channel, message);
+  bus_.publish(channel, message);
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   ChannelCounts& counts = counts_[channel];
   ++counts.sent;
+  ++sent_;
   counts.max_ms = std::max(counts.max_ms, taken.count());
 }
 
@@ -166,15 +192,22 @@ void FuzzedMission::send(const std::string& channel, Sample& sample) {
 Bytes FuzzedMission::mutated(const Sample& sample) {
   Bytes bytes = sample.bytes;
   const auto& fields = sample.fields;
-  if (const auto utime = fields.find("utime"); utime != fields.end() && below(4) != 0)
+  const auto utime = fields.find("utime");
+  if (!sample.is_current && utime != fields.end() && below(4) != 0)
     write_bits(utime->second.front(), static_cast<std::uint64_t>(bus_.now_utime()), bytes);
   if (fields.empty() || below(kFieldsOneIn) == 0) return mutator_.mutate({bytes}, bytes);
+  change_field(sample, bytes);
+  if (below(kSecondFieldOneIn) == 0) change_field(sample, bytes);
+  return bytes;
+}
+
+void FuzzedMission::change_field(const Sample& sample, Bytes& bytes) {
+  const auto& fields = sample.fields;
   const auto field = std::next(fields.begin(), static_cast<std::ptrdiff_t>(below(fields.size())));
   const FieldPlace& place = field->second[below(field->second.size())];
   const std::vector<std::uint64_t> extremes = extreme_bits(place);
   const bool random = below(4) == 0;
   write_bits(place, random ? mutator_.random() : extremes[below(extremes.size())], bytes);
-  return bytes;
 }
 
 std::map<std::string, ChannelCounts, std::less<>> FuzzedMission::counts() const {
@@ -192,13 +225,12 @@ std::map<std::string, ChannelCounts, std::less<>> FuzzedMission::counts() const 
   return counts;
 }
 
-std::vector<std::string> FuzzedMission::recover(const std::function<void()>& alive) {
+std::vector<std::string> FuzzedMission::recover() {
   std::vector<std::string> missing;
   const std::int64_t end = bus_.now_utime() + kRecoveryMaxUs;
   do {
     const std::int64_t next = bus_.now_utime() + kRecoveryUs;
     while (bus_.now_utime() < next) {
-      alive();
       advance();
     }
     missing = missing_output();

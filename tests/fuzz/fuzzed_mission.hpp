@@ -32,20 +32,22 @@ struct ChannelCounts {
 };
 
 /// A mission in a simulated tunnel, all stages in this process, which receives mutated messages
-/// amid its own: each is a message of the mission in which one field has an extreme value or random
-/// bits, or whose bytes are damaged. Deterministic for a seed.
+/// amid its own, some of them just before the message that they resemble: each is a message of the
+/// mission in which one field, seldom two, has an extreme value or random bits, or whose bytes are
+/// damaged. Deterministic for a seed.
 class FuzzedMission {
  public:
-  /// Journals are written to `folder`.
-  FuzzedMission(const Site& site, const std::filesystem::path& folder, std::uint64_t seed);
+  /// Journals are written to `folder`. `alive` is called before each message and each step.
+  FuzzedMission(const Site& site, const std::filesystem::path& folder, std::uint64_t seed,
+                std::function<void()> alive);
 
-  /// Advances the simulation, and sends messages in bursts. Returns how many.
-  int step();
+  /// Advances the simulation, and sends messages. Returns how many.
+  std::int64_t step();
 
   /// Advances the simulation without mutated messages until every stage works, from two to twelve
   /// seconds: a time stamp in the future delays later ones. Returns what does not work then, one
-  /// clause each. Calls `alive` at each step.
-  std::vector<std::string> recover(const std::function<void()>& alive);
+  /// clause each.
+  std::vector<std::string> recover();
 
   /// Commands of the stages beyond the limits of the vehicle, exceptions of handlers, and a
   /// collision, one clause each.
@@ -64,6 +66,7 @@ class FuzzedMission {
     Bytes bytes;
     std::map<std::string, std::vector<FieldPlace>> fields;  ///< by name
     std::int64_t uses = 0;
+    bool is_current = false;  ///< whether its time stays that of the message that it precedes
   };
 
   void set_sample(const MessageType& type, std::span<const std::uint8_t> bytes, Sample& sample);
@@ -74,11 +77,14 @@ class FuzzedMission {
   void advance();
   [[nodiscard]] std::vector<std::string> missing_output() const;
   void find_subscribed();
-  int send_burst();
+  void send_burst();
+  void send_before(const ReceivedMessage& message, const MessageType& type);
   void send(const std::string& channel, Sample& sample);
+  void change_field(const Sample& sample, Bytes& bytes);
   [[nodiscard]] Bytes mutated(const Sample& sample);
   [[nodiscard]] std::size_t below(std::size_t end);
 
+  std::function<void()> alive_;
   std::vector<MessageType> types_;
   std::map<std::int64_t, const MessageType*> by_fingerprint_;
   SimulationParams params_;
@@ -94,6 +100,8 @@ class FuzzedMission {
   std::map<std::string, Heartbeat, std::less<>> last_heartbeat_;  ///< by stage
   std::map<std::string, ChannelCounts, std::less<>> counts_;
   std::vector<std::string> bad_commands_;
+  std::int64_t sent_ = 0;
+  bool sends_ = false;
   bool injecting_ = false;
   bool has_ended_ = false;
 };

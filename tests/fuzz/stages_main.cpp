@@ -56,17 +56,17 @@ void add(const Counts& counts, Counts& sum) {
 std::int64_t run_mission(const Site& site, std::int64_t first, std::int64_t cases,
                          const Options& options, Outcome& outcome) {
   const test::ScratchFolder folder;
-  FuzzedMission mission(site, folder.path(),
-                        options.seed * 0x100000001B3U + static_cast<std::uint64_t>(first));
   std::int64_t done = 0;
+  FuzzedMission mission(site, folder.path(),
+                        options.seed * 0x100000001B3U + static_cast<std::uint64_t>(first),
+                        [&] { watch(first + done); });
   std::int64_t checked = 0;
   while (done < cases && !mission.is_over()) {
-    watch(first + done);
     done += mission.step();
     if (done < checked + kCasesPerCheck) continue;
     checked = done;
     if (mission.is_over()) break;
-    for (const std::string& wrong : mission.recover([&] { watch(first + done); })) {
+    for (const std::string& wrong : mission.recover()) {
       if (!mission.is_over()) outcome.failures.push_back(std::to_string(first) + ": " + wrong);
     }
   }

@@ -5,6 +5,7 @@
 // denormals, infinities, NaN and random bits. Then every stage must have a heartbeat again, POSE
 // and STOP must continue, and the simulated vehicle must not have failed. Valid orders are left
 // out.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -21,6 +22,7 @@
 #include "common/bus/lcm_bus.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "common/messages/sim.hpp"
 #include "tests/fuzz/mutator.hpp"
 #include "tests/live/checks/log_check.hpp"
@@ -110,6 +112,30 @@ class Sender {
     samples_[type.channel] = {&type, {received.bytes.begin(), received.bytes.end()}, Clock::now()};
   }
 
+  /// The sample with the time of now, which is the first field of every type.
+  static std::vector<std::uint8_t> as_of_now(const Sample& sample) {
+    static const FieldPlace kUtime{"utime", FieldPlace::Kind::kInteger, sizeof(std::int64_t),
+                                   sizeof(std::int64_t)};
+    std::vector<std::uint8_t> message = sample.bytes;
+    const auto elapsed =
+        std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - sample.received);
+    write_bits(kUtime, read_bits(message, kUtime) + static_cast<std::uint64_t>(elapsed.count()),
+               message);
+    return message;
+  }
+
+  /// Sends a scan of the same time, without which mapping does not use a match, and makes it a lost
+  /// one, of which the covariance counts.
+  void prepare_match(const FieldLayout& layout, std::vector<std::uint8_t>& match) {
+    std::vector<std::uint8_t> scan = as_of_now(samples_.at(std::string(channels::kLaserFront)));
+    std::copy_n(match.begin() + sizeof(std::int64_t), sizeof(std::int64_t),
+                scan.begin() + sizeof(std::int64_t));
+    bus_.publish(channels::kLaserFront, scan);
+    for (const FieldPlace& status : layout.places()) {
+      if (status.name == "status") write_bits(status, scan_match_t::STATUS_LOST, match);
+    }
+  }
+
   int send(const std::string& channel, const Sample& sample, const FieldPlace& place,
            const FieldLayout& layout) {
     const bool is_order = std::ranges::find(kOrders, channel) != kOrders.end();
@@ -117,12 +143,8 @@ class Sender {
     for (int i = 0; i < kRandomPerField; ++i) all.push_back(random_.random());
     int sent = 0;
     for (const std::uint64_t bits : all) {
-      std::vector<std::uint8_t> message = sample.bytes;
-      const FieldPlace& utime = layout.places().front();  // of every type
-      const auto elapsed =
-          std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - sample.received);
-      write_bits(utime, read_bits(message, utime) + static_cast<std::uint64_t>(elapsed.count()),
-                 message);
+      std::vector<std::uint8_t> message = as_of_now(sample);
+      if (channel == channels::kScanMatch) prepare_match(layout, message);
       write_bits(place, bits, message);
       if (is_order && sample.type->process(message).empty()) continue;
       bus_.publish(channel, message);

@@ -13,6 +13,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/node/version.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/bus/node/node_end.hpp"
 #include "common/files/file_error.hpp"
 #include "common/messages/diagnostics.hpp"
 
@@ -53,6 +54,8 @@ bool StageBus::contain(std::string_view what, const std::function<void()>& funct
   try {
     function();
     return true;
+  } catch (const NodeEnd&) {
+    throw;
   } catch (const FileError&) {
     throw;
   } catch (const std::system_error&) {

@@ -27,7 +27,8 @@ namespace adit {
 /// An exception of a handler or timer ends here, as the last defence against what a message may
 /// cause: the message counts as rejected, and `failures` says what failed. What the stage knows may
 /// be half changed, so handlers check a message before they use it. A FileError or
-/// std::system_error passes, since the stage cannot work without its files and devices.
+/// std::system_error passes, since the stage cannot work without its files and devices, and a
+/// NodeEnd.
 class StageBus final : public Bus {
  public:
   static constexpr std::string_view kHandlerFailed = "the handler failed";

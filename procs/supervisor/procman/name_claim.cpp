@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "common/bus/node/node_end.hpp"
 #include "common/text/message_text.hpp"
 
 namespace adit {
@@ -50,8 +50,8 @@ void NameClaim::published(const ProcmanInfo& info) {
 
 bool NameClaim::is_held(std::int64_t now_us) {
   if (lost_) {
-    throw std::runtime_error("another supervisor named " + quote(name_) +
-                             " runs on this network: stop it, or set supervisor.deputy_id");
+    throw NodeEnd("another supervisor named " + quote(name_) +
+                  " runs on this network: stop it, or set supervisor.deputy_id");
   }
   held_ = held_ || now_us >= listen_until_us_;
   return held_;

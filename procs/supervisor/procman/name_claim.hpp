@@ -32,7 +32,7 @@ class NameClaim {
   void published(const ProcmanInfo& info);
 
   /// Whether the name is held: no other supervisor was received while listening. Throws
-  /// std::runtime_error if another one has the name.
+  /// NodeEnd if another one has the name.
   bool is_held(std::int64_t now_us);
 
   /// Reports a supervisor with the same name that appeared later, as when two networks are joined;

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <memory>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "common/bus/node/node_end.hpp"
 
 namespace adit {
 namespace {
@@ -56,7 +57,7 @@ class Network {
       if (s.ended) continue;
       try {
         s.holds = s.claim.is_held(now_us_);
-      } catch (const std::runtime_error&) {
+      } catch (const NodeEnd&) {
         s.ended = true;
         s.holds = false;
         continue;
@@ -156,7 +157,7 @@ TEST(NameClaim, NamesTheConflict) {
   try {
     claim.is_held(0);
     FAIL() << "held";
-  } catch (const std::runtime_error& error) {
+  } catch (const NodeEnd& error) {
     EXPECT_THAT(error.what(), HasSubstr("another supervisor named 'rob\\x1bot' runs"));
   }
 }

@@ -14,6 +14,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
+#include "common/bus/node/node_end.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/files/file_error.hpp"
 #include "common/messages/diagnostics.hpp"
@@ -170,7 +171,7 @@ TEST_F(NodeHostTest, ContainsATimerThatFails) {
   EXPECT_EQ(host.failures().last, "a timer: too far");
 }
 
-/// A stage ends without its files and devices.
+/// A stage ends without its files and devices, or if it must.
 TEST_F(NodeHostTest, PassesOnFailuresOfFilesAndDevices) {
   NodeHost host(bus_, {"mapping", "0.1.0", ""});
   host.bus().subscribe("POSE", Delivery::queued(9), [](const ReceivedMessage&) -> std::string_view {
@@ -179,6 +180,10 @@ TEST_F(NodeHostTest, PassesOnFailuresOfFilesAndDevices) {
   host.bus().subscribe("IMU", Delivery::queued(9), [](const ReceivedMessage&) -> std::string_view {
     throw std::system_error(EIO, std::generic_category());
   });
+  host.bus().subscribe("GAS", Delivery::queued(9), [](const ReceivedMessage&) -> std::string_view {
+    throw NodeEnd("another one runs");
+  });
+  EXPECT_THROW(bus_.publish("GAS", {}), NodeEnd);
   EXPECT_THROW(bus_.publish("POSE", {}), FileError);
   EXPECT_THROW(bus_.publish("IMU", {}), std::system_error);
   EXPECT_EQ(host.failures().count, 0);

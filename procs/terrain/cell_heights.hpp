@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/grid/grid2.hpp"
+#include "common/grid/ground_trend.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
-#include "common/grid/ground_trend.hpp"
 
 namespace adit {
 

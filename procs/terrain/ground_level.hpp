@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/types/terrain_map.hpp"
 #include "common/grid/ground_trend.hpp"
+#include "common/types/terrain_map.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {

@@ -90,9 +90,7 @@ TEST_F(SimNodeCommands, ThatAreNotFiniteAreRejectedAndCounted) {
 
 TEST_F(SimNodeCommands, BeyondTheLimitsAreClamped) {
   send(TiltCommand{kStart, 6.0, 15.0});
-  bus_.create_timer(50'000, [this](std::int64_t utime) {
-    send(DriveCommand{utime, 25.0, -90.0});
-  });
+  bus_.create_timer(50'000, [this](std::int64_t utime) { send(DriveCommand{utime, 25.0, -90.0}); });
   run(1.5);
   const Vehicle vehicle;
   EXPECT_GT(state_.speed_m_s, 0.0);

@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/node/node_end.hpp"
 #include "common/bus/node/version.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/files/file_error.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/service/node_end.hpp"
 
 namespace adit {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "common/bus/node/node_end.hpp"
+#include "common/service/node_end.hpp"
 #include "common/text/message_text.hpp"
 
 namespace adit {

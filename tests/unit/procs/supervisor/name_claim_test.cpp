@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/bus/node/node_end.hpp"
+#include "common/service/node_end.hpp"
 
 namespace adit {
 namespace {

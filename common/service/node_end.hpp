@@ -6,7 +6,7 @@
 
 namespace adit {
 
-/// A node must not go on, whatever its messages: one line that says why. Thrown by a handler or a
+/// A node must not continue, whatever its messages: one line that says why. Thrown by a handler or a
 /// timer it ends the process (exit code 2), unlike a failure on a message.
 class NodeEnd : public std::runtime_error {
  public:

@@ -268,6 +268,9 @@ std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) 
   std::vector<LoopClosure> loop_closures;
   for (const CloudMatch& match : matches) loop_closures.push_back(match.loop_closure);
   std::vector<Association> decided = association_.decide(std::move(loop_closures), utime);
+  // Without an IMU the attitude is that of the ground, whose error is not constant.
+  const LocalScan& last = maps_.back().scans.back();
+  if (!last.attitude || last.attitude_from_ground) return decided;
   const int session = maps_.back().session;
   LevelError& error =
       level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;

@@ -6,8 +6,8 @@
 
 namespace adit {
 
-/// A node must not continue, whatever its messages: one line that says why. Thrown by a handler or a
-/// timer it ends the process (exit code 2), unlike a failure on a message.
+/// A node must not continue, whatever its messages: one line that says why. Thrown by a handler or
+/// a timer it ends the process (exit code 2), unlike a failure on a message.
 class NodeEnd : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -75,6 +77,14 @@ struct TerrainMap {
   /// The cell that contains a point, which may lie outside the map.
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_level) const {
     return cell_of(p_level - p_level_corner, cell_m);
+  }
+  /// Heights of the observed ground; NaN where none is observed [m].
+  [[nodiscard]] Grid2<float> ground_m() const {
+    Grid2<float> heights_m(cells.box(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i].ground == Ground::kObserved) heights_m[i] = cells[i].low_m;
+    }
+    return heights_m;
   }
 };
 

@@ -76,18 +76,10 @@ float step_m(const TerrainMap& map, const Eigen::Vector2f& rise_m, int column, i
   return neighbours > 0 ? step : kUndefined;
 }
 
-GroundTrend trend_of(const TerrainMap& map) {
-  Grid2<float> low_m(map.cells.box(), kUndefined);
-  for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    if (map.cells[i].ground == Ground::kObserved) low_m[i] = map.cells[i].low_m;
-  }
-  return {low_m, map.cell_m};
-}
-
 }  // namespace
 
 void set_slope_and_step(TerrainMap& map) {
-  const GroundTrend trend = trend_of(map);
+  const GroundTrend trend(map.ground_m(), map.cell_m);
   for (int row = 0; row < map.cells.rows(); ++row) {
     for (int column = 0; column < map.cells.columns(); ++column) {
       TerrainCell& cell = map.cells.at({column, row});

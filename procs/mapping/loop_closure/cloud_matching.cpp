@@ -3,7 +3,6 @@
 #include "procs/mapping/loop_closure/cloud_matching.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -35,8 +34,6 @@ Eigen::Matrix3d planar_information(const Matrix6d& information, const Matrix6d& 
   return 0.5 * (reduced + reduced.transpose()) +
          Eigen::Matrix3d::Identity() / (kUnconstrainedSd * kUnconstrainedSd);
 }
-
-double heading_of(const Eigen::Matrix3d& R) { return std::atan2(R(1, 0), R(0, 0)); }
 
 }  // namespace
 
@@ -115,9 +112,7 @@ std::optional<CloudMatch> CloudMatching::match(const Scan& newer, const Scan& ol
   const CloudRegistration matched =
       register_clouds(newer.surfaces, older.surfaces, prior, params_.registration);
   if (!matched.accepted) return std::nullopt;
-  const Pose2 T_levels{matched.T_target_source.translation().x(),
-                       matched.T_target_source.translation().y(),
-                       heading_of(matched.T_target_source.linear())};
+  const Pose2 T_levels = in_plan(matched.T_target_source);
   const auto placed = [&](const Scan& scan) {
     const double variance = params_.place_m_per_sqrt_m * params_.place_m_per_sqrt_m *
                             scan.T_local_level.translation().norm();

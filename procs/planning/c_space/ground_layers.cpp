@@ -79,30 +79,29 @@ void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_memb
   }
 }
 
-/// Marks the cells over which the obstacle of a cell leans, up to its contact height.
-void mark_leaning(GroundLayers& layers, const TerrainMap& terrain, const Eigen::Vector2i& at,
-                  const Eigen::Vector2d& displacement_m) {
-  const std::size_t from = terrain.cells.index(at);
+/// Height above the ground up to which an obstacle of a cell can touch the body: of a wall its top,
+/// of a roof its underside [m].
+double contact_height_m(const TerrainCell& cell, Reason reason) {
+  return reason == Reason::kRoof ? cell.clearance_m : cell.coefficient_m;
+}
+
+/// Marks the cells over which the obstacle of a cell leans.
+void mark_below(GroundLayers& layers, const TerrainMap& terrain, const Eigen::Vector2i& at) {
+  const Eigen::Vector2d& displacement_m = layers.displacement_m.at(at);
   const int steps = static_cast<int>(std::ceil(2.0 * displacement_m.norm() / terrain.cell_m));
   for (int step = 1; step <= steps; ++step) {
-    const Eigen::Vector2i over = terrain.cell_at(terrain.centre(at.x(), at.y()) +
-                                                 displacement_m * step / std::max(steps, 1));
+    const Eigen::Vector2i over =
+        terrain.cell_at(terrain.centre(at.x(), at.y()) + displacement_m * step / steps);
     if (!terrain.cells.contains(over) || layers.under_body.at(over) != 0) continue;
     layers.under_body.at(over) = 1;
-    layers.leaning_from.at(over) = static_cast<std::uint32_t>(from + 1);
+    layers.leaning_from.at(over) = static_cast<std::uint32_t>(terrain.cells.index(at) + 1);
   }
 }
 
-void mark_leaning(GroundLayers& layers, const TerrainMap& terrain, const Vehicle& vehicle,
-                  const GroundLimits& limits) {
-  const LeaningObstacles leaning(terrain);
+void mark_leaning(GroundLayers& layers, const TerrainMap& terrain) {
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
-      const TerrainCell& cell = terrain.cells.at({column, row});
-      const auto reason = lethal_reason(cell, vehicle, limits);
-      if (!reason || !blocks_body(*reason)) continue;
-      mark_leaning(layers, terrain, {column, row},
-                   leaning.displacement_m(column, row, contact_height_m(cell, *reason)));
+      mark_below(layers, terrain, {column, row});
     }
   }
 }
@@ -160,16 +159,13 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
   return std::nullopt;
 }
 
-double contact_height_m(const TerrainCell& cell, Reason reason) {
-  return reason == Reason::kRoof ? cell.clearance_m : cell.coefficient_m;
-}
-
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
   GroundLayers layers(terrain.cells.columns(), terrain.cells.rows(), terrain.cell_m);
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
   const BlindZone blind_zone(terrain, T_level_body, vehicle, limits);
+  const LeaningObstacles leaning(terrain);
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::size_t i = layers.index(column, row);
@@ -179,13 +175,17 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
       const bool under_robot = footprint.contains(T_body_level * p_level);
       const bool blind = reason == Reason::kUnknown && blind_zone.contains(p_level);
       if (!blind) classify(layers, i, reason);
+      if (reason && blocks_body(*reason)) {
+        layers.displacement_m[i] =
+            leaning.displacement_m(column, row, contact_height_m(cell, *reason));
+      }
       const double rough = roughness_of(cell, reason, under_robot || blind, vehicle, limits) +
                            repulsion(cell, vehicle, limits);
       layers.roughness[i] =
           static_cast<std::uint8_t>(std::lround(kRoughnessMax * std::min(rough, 1.0)));
     }
   }
-  mark_leaning(layers, terrain, vehicle, limits);
+  mark_leaning(layers, terrain);
   dilate(layers.under_wheels, terrain, is_drop, 1, 3);
   dilate(layers.unknown, terrain, is_shadow, 0, 2);
   clear_footprint(layers, terrain, T_level_body, footprint);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "common/config/bounds.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/types/planned_path.hpp"
@@ -52,6 +54,7 @@ struct GroundLayers {
         under_wheels(columns, rows),
         unknown(columns, rows),
         roughness(columns, rows),
+        displacement_m(columns, rows, Eigen::Vector2d(0.0, 0.0)),
         leaning_from(columns, rows) {}
 
   double cell_m;
@@ -59,6 +62,9 @@ struct GroundLayers {
   CellLayer under_wheels;  ///< 1: lethal under the wheels
   CellLayer unknown;       ///< 1: unobserved ground
   CellLayer roughness;     ///< 0 (even) to 255 (at the limit)
+  /// By which the obstacle in the cell leans over the ground (LeaningObstacles), at the height up
+  /// to which it can touch the body, in level [m]; zero without one.
+  Grid2<Eigen::Vector2d> displacement_m;
   /// Where an obstacle leans over the cell (LeaningObstacles): one more than the index of the cell
   /// in which it stands, otherwise 0.
   Grid2<std::uint32_t> leaning_from;
@@ -77,10 +83,6 @@ struct GroundLayers {
 /// ground in the blind zone of its lasers is assumed to be like the ground under it.
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits);
-
-/// Height above the ground up to which an obstacle of a cell can touch the body: of a wall its top,
-/// of a roof its underside [m].
-double contact_height_m(const TerrainCell& cell, BlockingCell::Reason reason);
 
 /// Why a cell is lethal to the vehicle or to a wheel on it; nothing where it is traversable.
 std::optional<BlockingCell::Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehicle,

@@ -9,7 +9,6 @@
 
 #include "common/grid/distance_transform.hpp"
 #include "procs/planning/c_space/footprint.hpp"
-#include "procs/planning/c_space/leaning_obstacles.hpp"
 
 namespace adit {
 namespace {
@@ -118,20 +117,11 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
     const Eigen::Vector2i at = cell_of(p_level - p_level_corner_, part_m_);
     if (blocked.contains(at) && !footprint.contains(T_body_level * p_level)) blocked.at(at) = 1;
   };
-  const LeaningObstacles leaning(terrain);
-  const auto displacement_of = [&](const TerrainCell& cell, const Eigen::Vector2i& at) {
-    const auto reason = lethal_reason(cell, vehicle, limits);
-    const bool by_height = reason == Reason::kBelly || reason == Reason::kRoof;
-    const double height_m = by_height ? contact_height_m(cell, *reason) : 0.0;
-    return leaning.displacement_m(at.x(), at.y(), height_m);
-  };
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::uint16_t parts = blocked_parts(terrain, layers, {column, row}, vehicle, limits);
-      if (parts == 0) continue;
-      const Eigen::Vector2d displacement_m =
-          displacement_of(terrain.cells.at({column, row}), {column, row});
-      for (int part = 0; part < CellParts::kCount; ++part) {
+      const Eigen::Vector2d& displacement_m = layers.displacement_m.at({column, row});
+      for (int part = 0; parts != 0 && part < CellParts::kCount; ++part) {
         if ((parts & (1U << static_cast<unsigned>(part))) == 0) continue;
         const Eigen::Vector2i at(CellParts::kSide * column + part % CellParts::kSide,
                                  CellParts::kSide * row + part / CellParts::kSide);

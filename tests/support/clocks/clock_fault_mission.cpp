@@ -31,7 +31,7 @@ constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 constexpr double kTimeMaxS = 600.0;  // simulated; a mission takes a quarter of it
 constexpr double kBlindMaxS = 5.0;
 constexpr double kHomeM = 0.5;
-constexpr std::array kMines{4, 8, 12};
+constexpr std::array kMines{1, 2, 3, 4, 5, 6};
 constexpr double kLastingS = 15.0;
 constexpr double kFirstS = 5.0;  // of a mission: the earliest and the latest begin of a fault
 constexpr double kLastS = 60.0;
@@ -46,7 +46,7 @@ WorldDescription mine(int seed) {
   choice.name = "random_level";
   choice.seed = seed;
   choice.length_m = 30.0;
-  choice.topology = "branching";
+  choice.topology = "parallel_entries";
   return describe(choice);
 }
 
@@ -185,7 +185,7 @@ ClockFaultResult run_clock_fault(const ClockFaultCase& fault_case,
                                  const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const auto config = folder / "config.yaml";
-  std::ofstream(config) << "mission: {limits: {path_length_max_m: 24}}\n";
+  std::ofstream(config) << "mission: {limits: {path_length_max_m: 100}}\n";
   const WorldDescription world = mine(fault_case.mine);
   const Site site(build_world(world));
   Mission mission(fault_case.fault, world, site, config, folder);

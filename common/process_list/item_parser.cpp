@@ -30,16 +30,20 @@ bool is_name(const std::string& text) {
 }
 
 constexpr double kTimeMaxS = 3600.0;
+constexpr double kAnswerTimeMinS = 0.1;
 constexpr double kRateMinHz = 0.01;
 constexpr double kRateMaxHz = 1000.0;
 constexpr int kRestartsMax = 1'000'000;
 constexpr int kLastSignal = 64;
 
-/// A command during parsing. alive_rate_hz may precede alive_channel.
+/// A command during parsing. alive_rate_hz may precede alive_channel, as others their channel.
 struct Draft {
   ListedCommand command;
   std::optional<std::string> channel;
   std::optional<double> rate_hz;
+  std::optional<std::string> answer_channel;
+  std::vector<std::string> answers_to;
+  std::optional<double> answer_timeout_s;
 };
 
 using SetAttribute = std::function<void(TokenStream&, Draft&)>;
@@ -62,6 +66,12 @@ std::string parse_channel(TokenStream& tokens) {
                 quote(channel, '"') + " is not a channel name: at most 63 of A to Z, 0 to 9 and _");
   }
   return channel;
+}
+
+std::vector<std::string> parse_channels(TokenStream& tokens) {
+  std::vector<std::string> all{parse_channel(tokens)};
+  while (tokens.take_if(Kind::kComma)) all.push_back(parse_channel(tokens));
+  return all;
 }
 
 /// Returns "outer/inner", without procman's leading slash.
@@ -103,6 +113,13 @@ const std::map<std::string, SetAttribute>& attributes() {
        [](auto& tokens, auto& draft) {
          draft.rate_hz = tokens.expect_number(kRateMinHz, kRateMaxHz);
        }},
+      {"answer_channel",
+       [](auto& tokens, auto& draft) { draft.answer_channel = parse_channel(tokens); }},
+      {"answers_to", [](auto& tokens, auto& draft) { draft.answers_to = parse_channels(tokens); }},
+      {"answer_timeout_s",
+       [](auto& tokens, auto& draft) {
+         draft.answer_timeout_s = tokens.expect_number(kAnswerTimeMinS, kTimeMaxS);
+       }},
       {"start_timeout_s", [](auto& tokens, auto& draft) {
          draft.command.start_timeout_s = tokens.expect_number(0.0, kTimeMaxS);
        }}};
@@ -142,6 +159,18 @@ std::string parse_name(TokenStream& tokens) {
   return name.text;
 }
 
+void set_answer(const TokenStream& tokens, const TextPosition& position, Draft& draft) {
+  if (!draft.answer_channel && draft.answers_to.empty() && !draft.answer_timeout_s) return;
+  if (!draft.answer_channel || draft.answers_to.empty()) {
+    tokens.fail(position, "command " + quote(draft.command.id, '"') +
+                              " needs both answer_channel and answers_to");
+  }
+  AnswerRule& answer = draft.command.answer.emplace();
+  answer.channel = *draft.answer_channel;
+  answer.inputs = draft.answers_to;
+  if (draft.answer_timeout_s) answer.timeout_s = *draft.answer_timeout_s;
+}
+
 ListedCommand finished(const TokenStream& tokens, const TextPosition& position, Draft draft) {
   if (draft.command.exec.empty()) {
     tokens.fail(position, "command " + quote(draft.command.id, '"') + " has no exec");
@@ -152,6 +181,7 @@ ListedCommand finished(const TokenStream& tokens, const TextPosition& position, 
   }
   if (draft.channel)
     draft.command.alive = LivenessSignal{*draft.channel, draft.rate_hz.value_or(1.0)};
+  set_answer(tokens, position, draft);
   return draft.command;
 }
 

@@ -17,13 +17,15 @@ namespace adit {
 ///       auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 3;
 ///       depends_on = "laser", "imu"; restart_limit = 5;
 ///       alive_channel = "POSE"; alive_rate_hz = 5; start_timeout_s = 4;
+///       answer_channel = "POSE"; answers_to = "LASER_FRONT", "LASER_REAR"; answer_timeout_s = 5;
 ///     }
 ///   }
 ///   script "go" { start group "sensing" wait "running" timeout_s 20; wait ms 500;
 ///                 wait cmd "mapping" status "running"; run_script "other"; }
-/// `depends_on`, `restart_limit`, the last line of the command and `timeout_s` extend procman's
-/// grammar. Older files have `host` for `deputy`; a number may be quoted, as procman writes it.
-/// The list is validated: unique names, existing and acyclic dependencies and script calls.
+/// `depends_on`, `restart_limit`, the last two lines of the command and `timeout_s` extend
+/// procman's grammar. Older files have `host` for `deputy`; a number may be quoted, as procman
+/// writes it. The list is validated: unique names, existing and acyclic dependencies and script
+/// calls.
 ///
 /// Throws ConfigError: `name:line:column: ` and the expected token, or `name: ` and the error in
 /// the list.

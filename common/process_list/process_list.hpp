@@ -17,6 +17,15 @@ struct LivenessSignal {
   friend bool operator==(const LivenessSignal&, const LivenessSignal&) = default;
 };
 
+/// A process answers its input: while messages keep coming on `inputs`, it publishes on `channel`.
+struct AnswerRule {
+  std::string channel;
+  std::vector<std::string> inputs;
+  double timeout_s = 10.0;  ///< with input and without an answer, wall clock time
+
+  friend bool operator==(const AnswerRule&, const AnswerRule&) = default;
+};
+
 /// A program managed by a supervisor: procman's attributes and the extensions below.
 struct ListedCommand {
   std::string id;      ///< unique in the list; no slashes
@@ -31,7 +40,8 @@ struct ListedCommand {
   std::vector<std::string> depends_on;  ///< commands that must be running before it starts
   std::optional<int> restart_limit;     ///< consecutive restarts; none: unlimited
   std::optional<LivenessSignal> alive;  ///< none: running as soon as it is started
-  double start_timeout_s = 10.0;        ///< until it must be alive
+  double start_timeout_s = 10.0;        ///< until it must be alive, and answer its input
+  std::optional<AnswerRule> answer;     ///< none: it may ignore its input
 
   friend bool operator==(const ListedCommand&, const ListedCommand&) = default;
 };

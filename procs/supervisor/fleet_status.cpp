@@ -21,6 +21,11 @@ std::string first_problem(const ProcessManager& process_manager) {
     }
   }
   for (const ManagedProcess& process : process_manager.processes()) {
+    const ProcessLifecycle& lifecycle = process.lifecycle();
+    if (!lifecycle.should_run() || lifecycle.restarts() == 0) continue;
+    return process.command().id + " was restarted: " + lifecycle.error();
+  }
+  for (const ManagedProcess& process : process_manager.processes()) {
     if (!process.log_error().empty()) return process.log_error();
   }
   return {};

@@ -11,8 +11,8 @@
 
 namespace adit {
 
-/// The first problem of the local processes: a failed or pausing process, or a log file that cannot
-/// be written. Empty if there is none.
+/// The first problem of the local processes: a failed or pausing process, one that was restarted
+/// and has not run stably since, or a log file that cannot be written. Empty if there is none.
 std::string first_problem(const ProcessManager& process_manager);
 
 /// Whether any local process is in the state kFailed.

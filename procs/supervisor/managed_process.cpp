@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/supervisor/managed_process.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <stdexcept>
 #include <utility>
 
+#include "common/config/number_text.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
@@ -14,9 +16,25 @@ namespace {
 // Read per advance(). A program that prints faster blocks until the next one.
 constexpr std::size_t kOutputBytesMax = 256 * 1024;
 
+std::string ignored_input_text(const AnswerRule& answer) {
+  std::string inputs;
+  for (const std::string& input : answer.inputs) inputs += (inputs.empty() ? "" : ", ") + input;
+  return "ignored its input: no " + answer.channel + " for " + number_text(answer.timeout_s) +
+         " s while " + inputs + " came";
+}
+
 LifecycleRules rules_of(const ListedCommand& command, const RestartBackoff& backoff) {
-  return {command.auto_respawn,      command.stop_time_allowed_s, command.restart_limit,
-          command.alive.has_value(), command.start_timeout_s,     backoff};
+  return {command.auto_respawn,
+          command.stop_time_allowed_s,
+          command.restart_limit,
+          command.alive.has_value(),
+          command.start_timeout_s,
+          backoff,
+          command.answer ? ignored_input_text(*command.answer) : ""};
+}
+
+AnswerMonitor answer_of(const ListedCommand& command) {
+  return AnswerMonitor(command.answer.value_or(AnswerRule{}).timeout_s);
 }
 
 PublishRateMonitor rate_of(const ListedCommand& command) {
@@ -30,6 +48,7 @@ ManagedProcess::ManagedProcess(const ListedCommand& command, const ProcessManage
       options_(options),
       lifecycle_(rules_of(command, options.backoff)),
       rate_(rate_of(command)),
+      answer_(answer_of(command)),
       log_(options.log_dir, command.id, options.log_limits),
       output_([this](const std::string& line) { log_.add(line, wall_utime()); }) {}
 
@@ -44,6 +63,7 @@ void ManagedProcess::apply_next_command() {
   next_command_.reset();
   lifecycle_.set_rules(rules_of(command_, options_.backoff));
   rate_ = rate_of(command_);
+  answer_ = answer_of(command_);
 }
 
 /// Adds a line of the supervisor to the log file.
@@ -69,15 +89,28 @@ void ManagedProcess::order(std::int32_t run_id, bool stop, std::int64_t now_us) 
   if (std::exchange(run_id_, run_id) != run_id) restart(now_us);
 }
 
-void ManagedProcess::on_message(std::int64_t now_us) {
-  if (child_) rate_.on_message(now_us);
+void ManagedProcess::on_message(std::string_view channel, std::int64_t now_us) {
+  if (!child_) return;
+  if (command_.alive && command_.alive->channel == channel) rate_.on_message(now_us);
+  if (!command_.answer) return;
+  const AnswerRule& answer = *command_.answer;
+  if (std::ranges::find(answer.inputs, channel) != answer.inputs.end()) answer_.on_input(now_us);
+  if (answer.channel == channel) answer_.on_answer();
+}
+
+Answers ManagedProcess::answers() const {
+  if (answer_.is_ignored()) return Answers::kMissing;
+  return answer_.is_unanswered() ? Answers::kAwaited : Answers::kGiven;
 }
 
 bool ManagedProcess::advance(std::int64_t now_us, bool dependencies_ready) {
   const LifecycleState state = lifecycle_.state();
   const pid_t pid = this->pid();
   if (child_) poll_child(now_us);
-  apply(lifecycle_.advance(now_us, dependencies_ready, rate_.is_met(now_us)), now_us);
+  apply(lifecycle_.advance(now_us, dependencies_ready, rate_.is_met(now_us), answers()), now_us);
+  if (state == LifecycleState::kRunning && lifecycle_.state() == LifecycleState::kStopping) {
+    log_event("stopped: " + lifecycle_.error());
+  }
   log_.flush();
   return state != lifecycle_.state() || pid != this->pid();
 }
@@ -116,6 +149,7 @@ void ManagedProcess::apply(ProcessLifecycle::Act act, std::int64_t now_us) {
 void ManagedProcess::launch(std::int64_t now_us) {
   apply_next_command();
   rate_.reset();
+  answer_.reset(now_us, command_.start_timeout_s);
   meter_ = {};
   measured_us_ = now_us;
   try {
@@ -134,7 +168,9 @@ void ManagedProcess::measure(const ProcessTable& table, std::int64_t now_us) {
   const std::int64_t since_us = now_us - std::exchange(measured_us_, now_us);
   if (!child_) return;
   usage_ = meter_.measure(table, child_->watcher(), now_us);
-  if (usage_.in_disk_sleep) rate_.add_blocked_time(now_us, since_us);
+  if (!usage_.in_disk_sleep) return;
+  rate_.add_blocked_time(now_us, since_us);
+  answer_.add_blocked_time(since_us);
 }
 
 }  // namespace adit

@@ -7,8 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "common/process_list/process_list.hpp"
+#include "procs/supervisor/management/answer_monitor.hpp"
 #include "procs/supervisor/management/output_log.hpp"
 #include "procs/supervisor/management/process_lifecycle.hpp"
 #include "procs/supervisor/management/publish_rate_monitor.hpp"
@@ -42,8 +44,9 @@ class ManagedProcess {
   void update_command(const ListedCommand& command);
   /// Executes an order as procman's deputy does: a new run id requests a restart.
   void order(std::int32_t run_id, bool stop, std::int64_t now_us);
-  /// A message was received on the liveness channel.
-  void on_message(std::int64_t now_us);
+  /// A message was received on a channel, by which the process may show that it is alive or
+  /// answers.
+  void on_message(std::string_view channel, std::int64_t now_us);
 
   /// Polls the process and executes lifecycle actions. Returns whether its state or pid has
   /// changed.
@@ -69,6 +72,7 @@ class ManagedProcess {
   void launch(std::int64_t now_us);
   void apply_next_command();
   void log_event(const std::string& what);
+  [[nodiscard]] Answers answers() const;
   void poll_child(std::int64_t now_us);
   void apply(ProcessLifecycle::Act act, std::int64_t now_us);
 
@@ -77,6 +81,7 @@ class ManagedProcess {
   ProcessManagerOptions options_;
   ProcessLifecycle lifecycle_;
   PublishRateMonitor rate_;
+  AnswerMonitor answer_;
   ProcessLog log_;
   OutputLog output_;
   UsageMeter meter_;

@@ -77,10 +77,7 @@ ManagedProcess* ProcessManager::find(const std::string& id) {
 }
 
 void ProcessManager::on_message(std::string_view channel, std::int64_t now_us) {
-  for (ManagedProcess& process : processes_) {
-    const auto& alive = process.command().alive;
-    if (alive && alive->channel == channel) process.on_message(now_us);
-  }
+  for (ManagedProcess& process : processes_) process.on_message(channel, now_us);
 }
 
 bool ProcessManager::advance(std::int64_t now_us, const RemoteReady& remote_ready) {

@@ -117,6 +117,9 @@ std::set<std::string> Supervisor::liveness_channels() const {
   std::set<std::string> channels;
   for (const ListedCommand& command : setup_.list.commands) {
     if (command.alive) channels.insert(command.alive->channel);
+    if (!command.answer || command.deputy != setup_.deputy) continue;
+    channels.insert(command.answer->channel);
+    channels.insert(command.answer->inputs.begin(), command.answer->inputs.end());
   }
   return channels;
 }

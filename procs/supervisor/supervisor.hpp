@@ -66,7 +66,7 @@ class Supervisor {
   /// The deputy_id.
   [[nodiscard]] const std::string& name() const { return setup_.deputy; }
 
-  /// The alive_channels of the list.
+  /// The channels by which processes of the list show that they are alive and answer their input.
   [[nodiscard]] std::set<std::string> liveness_channels() const;
 
   /// The first problem: of a process, the list or a script. Empty if there is none.

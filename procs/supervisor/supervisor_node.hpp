@@ -13,7 +13,8 @@
 namespace adit {
 
 /// In:  PM_ORDERS (orders_t), if the configuration allows; PM_INFO (deputy_info_t) and PM_OUTPUT
-///      (output_t) of other deputies; PM_DISCOVER (discovery_t); the alive_channels of the list.
+///      (output_t) of other deputies; PM_DISCOVER (discovery_t); the channels that its list
+///      names.
 /// Out: PM_INFO (deputy_info_t) at 1 Hz and on change; PM_OUTPUT (output_t); if in charge,
 /// PM_ORDERS
 ///      (orders_t) for other deputies at 1 Hz and on change.

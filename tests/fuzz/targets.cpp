@@ -177,7 +177,8 @@ Target process_list_target() {
           {bytes_of(R"(group "g" { cmd "laser" { exec = "A=B laser 'x y'"; host = "robot"; }
               group "h" { cmd "slam" { exec = "slam \\ x"; auto_respawn = "true"; stop_signal = 15;
                 depends_on = "laser"; restart_limit = 3; alive_channel = "POSE";
-                alive_rate_hz = 2.5; start_timeout_s = 4; stop_time_allowed = 0.5; } } }  # both
+                alive_rate_hz = 2.5; start_timeout_s = 4; stop_time_allowed = 0.5; answer_channel = "POSE";
+                answers_to = "LASER_FRONT", "IMU"; answer_timeout_s = 5; } } }  # both
               script "go" { start group "g/h" wait "running" timeout_s 9; wait ms 500;
                 stop cmd "slam"; wait cmd "slam" status "stopped"; run_script "end"; }
               script "end" { restart everything; })")},

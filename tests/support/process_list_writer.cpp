@@ -68,6 +68,11 @@ class CommandWriter {
     attribute("alive_rate_hz", number(alive.rate_hz), command.alive.has_value());
     attribute("start_timeout_s", number(command.start_timeout_s),
               command.start_timeout_s != ListedCommand{}.start_timeout_s);
+    const AnswerRule answer = command.answer.value_or(AnswerRule{});
+    attribute("answer_channel", between_quotes(answer.channel), command.answer.has_value());
+    attribute("answers_to", joined(answer.inputs), command.answer.has_value());
+    attribute("answer_timeout_s", number(answer.timeout_s),
+              answer.timeout_s != AnswerRule{}.timeout_s);
   }
 
   void attribute(std::string_view name, const std::string& value, bool differs) {

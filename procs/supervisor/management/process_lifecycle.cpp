@@ -83,7 +83,7 @@ void ProcessLifecycle::begin_stop(std::int64_t now_us, const std::string& reason
 }
 
 ProcessLifecycle::Act ProcessLifecycle::advance(std::int64_t now_us, bool dependencies_ready,
-                                                bool publishes) {
+                                                bool publishes, Answers answers) {
   if (state_ == LifecycleState::kBackoff && now_us - since_us_ >= backoff_us()) {
     state_ = LifecycleState::kWaiting;
   }
@@ -93,7 +93,7 @@ ProcessLifecycle::Act ProcessLifecycle::advance(std::int64_t now_us, bool depend
     case LifecycleState::kStarting:
       return check_start(now_us, publishes);
     case LifecycleState::kRunning:
-      return check_running(now_us, publishes);
+      return check_running(now_us, publishes, answers);
     case LifecycleState::kStopping:
       return enforce_stop(now_us);
     default:
@@ -112,12 +112,17 @@ ProcessLifecycle::Act ProcessLifecycle::check_start(std::int64_t now_us, bool pu
   return Act::kNothing;
 }
 
-ProcessLifecycle::Act ProcessLifecycle::check_running(std::int64_t now_us, bool publishes) {
+ProcessLifecycle::Act ProcessLifecycle::check_running(std::int64_t now_us, bool publishes,
+                                                      Answers answers) {
   if (rules_.requires_liveness && !publishes) {
     begin_stop(now_us, "publish rate too low");
     return enforce_stop(now_us);
   }
-  if (now_us - since_us_ >= us(rules_.backoff.stable_time_s)) {
+  if (answers == Answers::kMissing) {
+    begin_stop(now_us, rules_.ignored_input);
+    return enforce_stop(now_us);
+  }
+  if (answers == Answers::kGiven && now_us - since_us_ >= us(rules_.backoff.stable_time_s)) {
     restarts_ = 0;
     error_.clear();
   }

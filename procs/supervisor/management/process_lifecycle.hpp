@@ -33,6 +33,7 @@ struct LifecycleRules {
   bool requires_liveness = false;  ///< running only while it publishes at its rate
   double start_timeout_s = 10.0;
   RestartBackoff backoff = {};
+  std::string ignored_input = {};  ///< what Answers::kMissing means, one clause
 };
 
 enum class LifecycleState {
@@ -48,11 +49,19 @@ enum class LifecycleState {
 /// "stopped", "waiting", "starting", "running", "stopping", "pausing", "failed".
 std::string_view name_of(LifecycleState state);
 
+/// Whether a process answers its input.
+enum class Answers {
+  kGiven,    ///< or nothing to answer
+  kAwaited,  ///< not yet
+  kMissing,  ///< it ignores its input
+};
+
 /// State machine of one managed process: decides when to start, stop and kill it. Pure logic: times
 /// are passed in, in µs of a monotonic clock.
 ///
-/// A process that ends, cannot be started, is not alive in time or no longer publishes is restarted
-/// after a backoff delay if auto_respawn is set, at most restart_limit times in succession. A
+/// A process that ends, cannot be started, is not alive in time, no longer publishes or ignores its
+/// input is restarted after a backoff delay if auto_respawn is set, at most restart_limit times in
+/// succession. A
 /// process that does not stop within stop_time_allowed_s is killed.
 class ProcessLifecycle {
  public:
@@ -68,7 +77,8 @@ class ProcessLifecycle {
   void request_restart(std::int64_t now_us);
 
   /// Returns the action to execute now. After kStart, `started` or `start_failed` must be called.
-  Act advance(std::int64_t now_us, bool dependencies_ready, bool publishes);
+  Act advance(std::int64_t now_us, bool dependencies_ready, bool publishes,
+              Answers answers = Answers::kGiven);
 
   void started(std::int64_t now_us);
   void start_failed(std::int64_t now_us, const std::string& reason);
@@ -91,7 +101,7 @@ class ProcessLifecycle {
   void begin_stop(std::int64_t now_us, const std::string& reason);
   void fail_or_back_off(std::int64_t now_us);
   Act check_start(std::int64_t now_us, bool publishes);
-  Act check_running(std::int64_t now_us, bool publishes);
+  Act check_running(std::int64_t now_us, bool publishes, Answers answers);
   Act enforce_stop(std::int64_t now_us);
   [[nodiscard]] std::int64_t backoff_us() const;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// clock_faults_table: missions in small random mines in which the clock of a sensor jumps, drifts or
-// stops, as a table in Markdown. Succeeds if none claims home falsely, collides, or has no POSE for
-// over five seconds after the cause is gone.
+// clock_faults_table: missions in small random mines in which the clock of a sensor jumps, drifts
+// or stops, as a table in Markdown. Succeeds if none claims home falsely, collides, or has no POSE
+// for over five seconds after the cause is gone.
 #include <algorithm>
 #include <exception>
 #include <iostream>
@@ -77,13 +77,12 @@ void print(const test::ClockFaultCase& fault_case, const test::ClockFaultResult&
   const std::string reported = result.reported.empty() ? "–" : result.reported;
   const std::string outcome =
       result.failure.empty() ? name_of(result.outcome) : "failed: " + result.failure;
-  std::cout << fmt::format("| {} | {} | {} | {:.1f} | {} | {:.2f} | {:.0f} | {} | {} | {} | {} |{}\n",
-                      fault_case.number, fault_case.mine, fault_case.fault.text(),
-                      fault_case.fault.at_s, outcome, result.distance_from_start_m,
-                      result.simulated_s, seconds_text(result.blind_s),
-                      seconds_text(result.blind_after_s),
-                      result.rejected, reported,
-                      result.is_failure() ? " FAILED" : "");
+  std::cout << fmt::format(
+      "| {} | {} | {} | {:.1f} | {} | {:.2f} | {:.0f} | {} | {} | {} | {} |{}\n", fault_case.number,
+      fault_case.mine, fault_case.fault.text(), fault_case.fault.at_s, outcome,
+      result.distance_from_start_m, result.simulated_s, seconds_text(result.blind_s),
+      seconds_text(result.blind_after_s), result.rejected, reported,
+      result.is_failure() ? " FAILED" : "");
   std::cout.flush();
 }
 

@@ -86,7 +86,8 @@ class Mission {
     result_.distance_from_start_m = (true_position() - start_).norm();
     result_.simulated_s = now_s();
     result_.changed = drivers_.changed();
-    for (const auto& [stage, rejected] : rejected_) result_.rejected += rejected.last - rejected.before;
+    for (const auto& [stage, rejected] : rejected_)
+      result_.rejected += rejected.last - rejected.before;
     return result_;
   }
 

@@ -30,7 +30,7 @@ struct ClockFaultResult {
   std::int64_t changed = 0;   ///< stamps that the fault changed
   std::int64_t rejected = 0;  ///< messages that stages rejected, more than before the fault
   std::string reported;       ///< by the first heartbeat since the fault that names a channel of it
-  double blind_s = 0.0;       ///< longest time without POSE before the mission ended, since the fault
+  double blind_s = 0.0;  ///< longest time without POSE before the mission ended, since the fault
   /// The same since its cause is gone; empty if it does not end.
   std::optional<double> blind_after_s;
 

@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,6 +84,40 @@ TEST(ProcessLists, UseLivenessChannelsThatArePublishedWithoutInput) {
   }
   EXPECT_THAT(channels, testing::IsSubsetOf({"DRIVING_STATE", "PHASE"}));
   EXPECT_FALSE(channels.empty());
+}
+
+/// The first row of a channel in the table of lcmtypes, in columns.
+std::vector<std::string> row_of_channel(const std::string& channel) {
+  std::ifstream file(kRoot / "lcmtypes/README.md");
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("| `" + channel + "` |")) continue;
+    std::vector<std::string> columns;
+    std::istringstream parts(line);
+    for (std::string part; std::getline(parts, part, '|');) columns.push_back(part);
+    return columns;
+  }
+  return {};
+}
+
+/// One that the stage does not publish, or does not receive, would cause restarts of a healthy one.
+TEST(ProcessLists, ExpectAnswersOfStagesThatPublishThemAndReceiveTheirInput) {
+  constexpr std::size_t kFrom = 5;
+  constexpr std::size_t kTo = 6;
+  const ProcessList list = read_process_list(kRoot / "deploy/processes/robot.cfg");
+  int rules = 0;
+  for (const ListedCommand& command : list.commands) {
+    if (!command.answer) continue;
+    ++rules;
+    const auto answer = row_of_channel(command.answer->channel);
+    ASSERT_GT(answer.size(), kTo) << command.answer->channel;
+    EXPECT_THAT(answer[kFrom], testing::HasSubstr(command.id));
+    for (const std::string& input : command.answer->inputs) {
+      const auto row = row_of_channel(input);
+      ASSERT_GT(row.size(), kTo) << input;
+      EXPECT_THAT(row[kTo], testing::HasSubstr(command.id));
+    }
+  }
+  EXPECT_GE(rules, 2);
 }
 
 }  // namespace

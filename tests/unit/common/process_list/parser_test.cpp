@@ -49,14 +49,17 @@ TEST(ProcessListParser, ReadsExtensionsOfProcman) {
 cmd "laser" { exec = "laser"; }
 cmd "imu" { exec = "imu"; }
 cmd "slam" { exec = "slam"; depends_on = "laser", "imu"; restart_limit = 4; alive_rate_hz = 0.5;
-             alive_channel = "POSE"; start_timeout_s = 2.5; })");
+             alive_channel = "POSE"; start_timeout_s = 2.5; answer_timeout_s = 5;
+             answers_to = "LASER_FRONT", "IMU"; answer_channel = "POSE"; })");
   const ListedCommand& slam = list.commands.at(2);
   EXPECT_THAT(slam.depends_on, ElementsAre("laser", "imu"));
   EXPECT_EQ(slam.restart_limit, 4);
   EXPECT_EQ(slam.alive, (LivenessSignal{"POSE", 0.5}));
   EXPECT_EQ(slam.start_timeout_s, 2.5);
   EXPECT_EQ(list.commands[0].restart_limit, std::nullopt);
+  EXPECT_EQ(slam.answer, (AnswerRule{"POSE", {"LASER_FRONT", "IMU"}, 5.0}));
   EXPECT_EQ(list.commands[0].alive, std::nullopt);
+  EXPECT_EQ(list.commands[0].answer, std::nullopt);
 }
 
 ScriptAction action_of(ScriptAction::Kind kind) {
@@ -156,6 +159,12 @@ INSTANTIATE_TEST_SUITE_P(
                 ":1:27: \"pose\" is not a channel name: at most 63 of A to Z, 0 to 9 and _"},
         BadList{"cmd \"a\" { exec = \"x\"; alive_rate_hz = 5; }",
                 ":1:5: command \"a\" has alive_rate_hz but no alive_channel"},
+        BadList{"cmd \"a\" { exec = \"x\"; answer_channel = \"POSE\"; }",
+                ":1:5: command \"a\" needs both answer_channel and answers_to"},
+        BadList{"cmd \"a\" { exec = \"x\"; answer_timeout_s = 5; }",
+                ":1:5: command \"a\" needs both answer_channel and answers_to"},
+        BadList{"cmd \"a\" { answers_to = \"POSE\", \"b\"; }",
+                ":1:32: \"b\" is not a channel name: at most 63 of A to Z, 0 to 9 and _"},
         BadList{"cmd \"a\" { exec = \"x\"; group = \"a//b\"; }",
                 ":1:31: \"a//b\" is not a group path: names separated by /"},
         BadList{"group \"g\" { exec", ":1:13: expected cmd or group, not 'exec'"},
@@ -222,7 +231,8 @@ cmd "first \"one\"" { exec = "A=B x 'y z' \\ \n"; deputy = "far"; }
 group "a" {
   cmd "2" { exec = "x"; auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 0.25; }
   group "b" { cmd "3" { exec = "x"; depends_on = "2", "4"; restart_limit = 0; alive_channel = "POSE";
-                        alive_rate_hz = "3.3"; start_timeout_s = "1e-5"; } }
+                        alive_rate_hz = "3.3"; start_timeout_s = "1e-5"; answer_channel = "POSE";
+                        answers_to = "IMU", "TILT_REAR"; answer_timeout_s = 2.5; } }
 }
 cmd "4" { exec = "x"; }
 script "go" {

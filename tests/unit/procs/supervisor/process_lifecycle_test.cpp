@@ -85,6 +85,26 @@ TEST(ProcessLifecycle, IsStoppedIfItNoLongerPublishes) {
   EXPECT_EQ(lifecycle.state(), State::kStopping);
 }
 
+TEST(ProcessLifecycle, IsRestartedIfItIgnoresItsInput) {
+  LifecycleRules rules = respawning();
+  rules.ignored_input = "ignored its input";
+  rules.restart_limit = 1;
+  ProcessLifecycle lifecycle = started_lifecycle(rules);
+  EXPECT_EQ(lifecycle.advance(kSecond, true, false, Answers::kAwaited), Act::kNothing);
+  EXPECT_EQ(lifecycle.advance(12 * kSecond, true, false, Answers::kMissing), Act::kRequestStop);
+  EXPECT_EQ(lifecycle.error(), "ignored its input");
+  lifecycle.ended(12 * kSecond, "killed by SIGINT", false);
+  EXPECT_EQ(lifecycle.advance(13 * kSecond, true, false), Act::kStart);
+  lifecycle.started(13 * kSecond);
+  EXPECT_EQ(lifecycle.total_restarts(), 1);
+  // A run without an answer is not stable, so the restart limit is reached.
+  EXPECT_EQ(lifecycle.advance(24 * kSecond, true, false, Answers::kAwaited), Act::kNothing);
+  EXPECT_EQ(lifecycle.restarts(), 1);
+  EXPECT_EQ(lifecycle.advance(25 * kSecond, true, false, Answers::kMissing), Act::kRequestStop);
+  lifecycle.ended(25 * kSecond, "killed by SIGINT", false);
+  EXPECT_EQ(lifecycle.state(), State::kFailed);
+}
+
 TEST(ProcessLifecycle, FailsWithoutAutoRespawn) {
   LifecycleRules rules = requiring_liveness();
   rules.auto_respawn = false;

@@ -116,6 +116,33 @@ TEST_F(ProcessManagerTest, StartsInTheOrderOfDependencies) {
   EXPECT_TRUE(becomes("last", LifecycleState::kRunning));
 }
 
+/// Three processes get the same input: one ignores it, one answers late, one gets none.
+TEST_F(ProcessManagerTest, RestartsAProcessThatIgnoresItsInput) {
+  const std::string rule = R"( auto_respawn = "true"; stop_signal = 15; start_timeout_s = 0;
+                                answer_timeout_s = 0.4; answer_channel = )";
+  manage(R"(cmd "ignoring" { exec = "sleep 100"; answers_to = "SCAN";)" + rule + R"("POSE"; }
+          cmd "slow" { exec = "sleep 100"; answers_to = "SCAN", "TILT";)" +
+         rule + R"("MAP"; }
+          cmd "idle" { exec = "sleep 100"; answers_to = "GOAL";)" +
+         rule + R"("PATH"; })");
+  for (const char* id : {"ignoring", "slow", "idle"}) process(id).start();
+  advance();
+  std::int64_t answered_us = steady_us();
+  EXPECT_TRUE(test::becomes_true([&] {
+    process_manager_->on_message("SCAN", steady_us());
+    if (steady_us() - answered_us >= 200'000) {
+      process_manager_->on_message("MAP", answered_us = steady_us());
+    }
+    advance();
+    return process("ignoring").lifecycle().total_restarts() == 2;
+  }));
+  EXPECT_EQ(process("ignoring").lifecycle().error(),
+            "ignored its input: no POSE for 0.4 s while SCAN came");
+  EXPECT_EQ(process("slow").lifecycle().total_restarts(), 0);
+  EXPECT_EQ(process("idle").lifecycle().total_restarts(), 0);
+  EXPECT_TRUE(process("idle").is_ready());
+}
+
 TEST_F(ProcessManagerTest, WaitsForRemoteDependencies) {
   manage(R"(cmd "here" { exec = "sleep 100"; depends_on = "there"; }
           cmd "there" { exec = "sleep 100"; deputy = "far"; })");

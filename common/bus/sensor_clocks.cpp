@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,11 @@ constexpr std::int64_t kOffsetChangeUs = 500'000;  // of a channel with a gap: j
 constexpr std::int64_t kLastingUs = 1'000'000;     // of measurements after a jump,
 constexpr int kLastingLength = 5;                  // and their number
 constexpr std::int64_t kContinuesUs = 2'000'000;   // a channel that was accepted so recently
+constexpr std::int64_t kJitterUs = 20'000;         // of a stamp, beside
+constexpr std::int64_t kAheadSteps = 3;            // steps that it may be ahead
+constexpr int kStepsMin = 5;                       // known, to judge by them
+constexpr std::int64_t kAheadReportedUs = 200'000;
+constexpr std::int64_t kDriftDivisor = 1'000;  // clocks drift apart by less than 1000 ppm
 
 }  // namespace
 
@@ -31,9 +37,27 @@ bool SensorClocks::Run::agrees_with(std::int64_t utime, std::int64_t arrival_uti
                                 std::abs(offset - on_time_offset_us) <= kOffsetChangeUs);
 }
 
+std::int64_t SensorClocks::Run::ahead_max_us() const {
+  const int known = std::min(length - 1, static_cast<int>(kSteps));
+  if (known < kStepsMin) return kGapMaxUs;
+  std::array<std::int64_t, kSteps> sorted = steps_us;
+  const auto middle = sorted.begin() + known / 2;
+  std::nth_element(sorted.begin(), middle, sorted.begin() + known);
+  return std::min(kGapMaxUs, kJitterUs + kAheadSteps * *middle);
+}
+
 void SensorClocks::Run::add(std::int64_t utime, std::int64_t arrival_utime) {
-  offset_us = utime - arrival_utime;
-  if (length == 0) first_arrival_utime = arrival_utime;
+  const std::int64_t previous_offset_us = std::exchange(offset_us, utime - arrival_utime);
+  if (length == 0) {
+    first_arrival_utime = arrival_utime;
+    earliest_offset_us = offset_us;
+  } else {
+    steps_us[static_cast<std::size_t>(length - 1) % kSteps] = utime - last_utime;
+    const std::int64_t drift_us = (arrival_utime - last_arrival_utime) / kDriftDivisor;
+    // Two in succession: one that was a little ahead must not make room for the next.
+    const std::int64_t lasting_offset_us = std::min(offset_us, previous_offset_us);
+    earliest_offset_us = std::max(lasting_offset_us, earliest_offset_us - drift_us);
+  }
   if (length == 0 || std::abs(offset_us - on_time_offset_us) <= kOffsetChangeUs) {
     on_time_offset_us = offset_us;
   }
@@ -47,13 +71,23 @@ void SensorClocks::Run::add(std::int64_t utime, std::int64_t arrival_utime) {
 /// not follow they have to: a clock that was set back comes to the time of the last stamp again.
 std::string_view SensorClocks::check(const std::string& channel, std::int64_t utime,
                                      std::int64_t arrival_utime) {
-  auto& [accepted, rejected] = channels_[channel];
+  Channel& state = channels_[channel];
+  Run& accepted = state.accepted;
+  Run& rejected = state.rejected;
   const bool in_order = accepted.length > 0 && rejected.length == 0;
-  if (in_order && utime == accepted.last_utime) return {};  // a repetition
+  if (in_order && utime == accepted.last_utime) {
+    ++state.repetitions;
+    state.last_repetition_utime = arrival_utime;
+    return state.stands() ? kNotContinuous : std::string_view{};
+  }
   const bool follows = in_order && accepted.is_followed_by(utime, arrival_utime);
-  if (accepted.length == 0 || follows || accepted.agrees_with(utime, arrival_utime)) {
+  const bool agrees = accepted.agrees_with(utime, arrival_utime);
+  const bool small_step_lasts = agrees && rejected.length >= kLastingLength;
+  if (accepted.length == 0 || small_step_lasts ||
+      ((follows || agrees) && !is_ahead(channel, utime, arrival_utime))) {
     accepted.add(utime, arrival_utime);
     rejected = {};
+    state.repetitions = 0;
     return {};
   }
   if (!rejected.is_followed_by(utime, arrival_utime)) rejected = {};
@@ -67,6 +101,49 @@ std::string_view SensorClocks::check(const std::string& channel, std::int64_t ut
   return {};
 }
 
+/// Ahead of the last stamp, of the earliest arrivals and of the other channels: a log that is
+/// played fast and has gaps is ahead of the first two.
+bool SensorClocks::is_ahead(const std::string& channel, std::int64_t utime,
+                            std::int64_t arrival_utime) const {
+  const Channel& state = channels_.find(channel)->second;
+  const Run& accepted = state.accepted;
+  const std::int64_t ahead_max_us = accepted.ahead_max_us();
+  const std::int64_t elapsed_us =
+      std::max<std::int64_t>(0, arrival_utime - accepted.last_arrival_utime);
+  const std::int64_t speed_max = state.rejected.length == 0 ? 2 : 1;  // of a log that is played
+  if (utime - accepted.last_utime <= ahead_max_us + speed_max * elapsed_us) return false;
+  const std::int64_t offset_us = utime - arrival_utime;
+  if (offset_us <= accepted.earliest_offset_us + ahead_max_us) return false;
+  return std::ranges::none_of(channels_, [&](const auto& entry) {
+    const Run& other = entry.second.accepted;
+    return entry.first != channel && other.length > 0 &&
+           std::abs(arrival_utime - other.last_arrival_utime) <= kContinuesUs &&
+           offset_us <= other.offset_us + ahead_max_us;
+  });
+}
+
+/// Whether one stamp is repeated as time passes.
+bool SensorClocks::Channel::stands() const {
+  return repetitions >= kLastingLength &&
+         last_repetition_utime - accepted.last_arrival_utime >= kLastingUs;
+}
+
+/// How far a channel is ahead of every other that continues; nothing without another.
+std::optional<std::int64_t> SensorClocks::ahead_of_others_us(const std::string& channel,
+                                                             std::int64_t now_utime) const {
+  std::optional<std::int64_t> ahead_us;
+  const std::int64_t own_us = channels_.find(channel)->second.accepted.earliest_offset_us;
+  for (const auto& [name, other] : channels_) {
+    const bool continues = other.accepted.length > 0 &&
+                           std::abs(now_utime - other.accepted.last_arrival_utime) <= kContinuesUs;
+    if (name == channel && !continues) return std::nullopt;
+    if (name == channel || !continues) continue;
+    const std::int64_t difference_us = own_us - other.accepted.earliest_offset_us;
+    ahead_us = std::min(ahead_us.value_or(difference_us), difference_us);
+  }
+  return ahead_us;
+}
+
 bool SensorClocks::others_continue(const std::string& channel, std::int64_t now_utime) const {
   return std::ranges::any_of(channels_, [&](const auto& entry) {
     const Run& accepted = entry.second.accepted;
@@ -77,6 +154,9 @@ bool SensorClocks::others_continue(const std::string& channel, std::int64_t now_
 
 std::string SensorClocks::fault(std::int64_t now_utime) const {
   for (const auto& [name, channel] : channels_) {
+    if (channel.stands() && std::abs(now_utime - channel.last_repetition_utime) <= kContinuesUs) {
+      return fmt::format("the clock of {} stands still", name);
+    }
     const Run& rejected = channel.rejected;
     if (rejected.length < kLastingLength ||
         std::abs(now_utime - rejected.last_arrival_utime) > kContinuesUs) {
@@ -86,6 +166,12 @@ std::string SensorClocks::fault(std::int64_t now_utime) const {
         1e-6 * static_cast<double>(rejected.offset_us - channel.accepted.on_time_offset_us);
     return fmt::format("the clock of {} is {:.1f} s {}", name, std::abs(off_s),
                        off_s > 0.0 ? "ahead" : "behind");
+  }
+  for (const auto& [name, channel] : channels_) {
+    const auto ahead_us = ahead_of_others_us(name, now_utime);
+    if (ahead_us.value_or(0) < kAheadReportedUs) continue;
+    return fmt::format("the clock of {} is {:.1f} s ahead of the others", name,
+                       1e-6 * static_cast<double>(*ahead_us));
   }
   return {};
 }

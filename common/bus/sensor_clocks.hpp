@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -17,10 +19,14 @@ namespace adit {
 
 /// Monitors the time stamps of the measurements that one stage receives. A stage orders them by
 /// time, so one stamp in the future would make all later ones too old. A stamp that does not follow
-/// the one before it on its channel is rejected. When a channel continues from such a stamp, its
-/// clock was set: it is followed if no other channel of the stage contradicts it, as when the clock
-/// of the computer was set or a log is played again; otherwise the channel stays rejected until its
-/// clock is right, and `fault` says by how much it is off.
+/// the one before it on its channel is rejected. It may be late by any time, as a stage that was
+/// suspended sees it, but not ahead of the earliest arrivals of its channel by more than a few of
+/// its periods (as Olson, A passive solution to the sensor synchronization problem, IROS 2010,
+/// takes the smallest latency for the true one). When a channel continues from a rejected stamp,
+/// its clock was set: it is followed if no other channel of the stage contradicts it, as when the
+/// clock of the computer was set or a log is played again; otherwise the channel stays rejected
+/// until its clock is right, and `fault` says by how much it is off. A step of less than half a
+/// second is followed once it lasts, and reported while it makes a channel ahead of all others.
 class SensorClocks {
  public:
   static constexpr std::string_view kNotContinuous = "time stamp does not follow the one before";
@@ -37,26 +43,40 @@ class SensorClocks {
   [[nodiscard]] std::string fault(std::int64_t now_utime) const;
 
  private:
+  static constexpr std::size_t kSteps = 9;
+
   /// Measurements that follow each other.
   struct Run {
     std::int64_t first_arrival_utime = 0;
     std::int64_t last_arrival_utime = 0;
     std::int64_t last_utime = 0;
-    std::int64_t offset_us = 0;          ///< stamp minus arrival, of the last,
-    std::int64_t on_time_offset_us = 0;  ///< and of the last that was not late
+    std::int64_t offset_us = 0;                   ///< stamp minus arrival, of the last,
+    std::int64_t on_time_offset_us = 0;           ///< of the last that was not late,
+    std::int64_t earliest_offset_us = 0;          ///< and of those that arrived earliest
+    std::array<std::int64_t, kSteps> steps_us{};  ///< between the last stamps, in any order
     int length = 0;
 
     /// Whether the stamp advances with the arrivals, or slower.
     [[nodiscard]] bool is_followed_by(std::int64_t utime, std::int64_t arrival_utime) const;
     /// Whether the stamp advances and agrees with the time of arrival.
     [[nodiscard]] bool agrees_with(std::int64_t utime, std::int64_t arrival_utime) const;
+    /// How far a stamp may be ahead of those before, by the usual step between two.
+    [[nodiscard]] std::int64_t ahead_max_us() const;
     void add(std::int64_t utime, std::int64_t arrival_utime);
   };
   struct Channel {
     Run accepted;
-    Run rejected;  ///< since the last one that was accepted
+    Run rejected;                            ///< since the last one that was accepted
+    int repetitions = 0;                     ///< of the last stamp that was accepted
+    std::int64_t last_repetition_utime = 0;  ///< arrival
+
+    [[nodiscard]] bool stands() const;
   };
 
+  [[nodiscard]] bool is_ahead(const std::string& channel, std::int64_t utime,
+                              std::int64_t arrival_utime) const;
+  [[nodiscard]] std::optional<std::int64_t> ahead_of_others_us(const std::string& channel,
+                                                               std::int64_t now_utime) const;
   [[nodiscard]] bool others_continue(const std::string& channel, std::int64_t now_utime) const;
 
   std::function<void()> on_set_;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/bus/sensor_clocks.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -75,12 +77,36 @@ TEST_P(MonitoredClocks, FollowAClockThatAllChannelsHave) {
 
 INSTANTIATE_TEST_SUITE_P(Steps, MonitoredClocks,
                          testing::Values(3600 * kSecond, -3600 * kSecond, 10 * kSecond,
-                                         -10 * kSecond, 3 * kSecond, -3 * kSecond));
+                                         -10 * kSecond, 3 * kSecond, -3 * kSecond, kSecond,
+                                         -kSecond, 600 * kMs, -600 * kMs));
+
+TEST_F(MonitoredClocks, RejectSingleStampsThatAreALittleAhead) {
+  for (const std::int64_t ahead_us : {110 * kMs, 300 * kMs, 990 * kMs}) {
+    run(1.0, 0, 0);
+    for (int i = 0; i < 3; ++i, now_ += kPeriodUs) {
+      EXPECT_EQ(accepts("LASER_FRONT", now_ + ahead_us), 0);
+    }
+    run(1.0, 0, 0);
+    EXPECT_EQ(laser_accepted_, 50);
+  }
+}
+
+/// Those behind the stamp are too old, so it must not be ahead by more than a few periods.
+TEST_F(MonitoredClocks, LoseFewMeasurementsToAnyStamp) {
+  for (std::int64_t ahead_us = 0; ahead_us < 3 * kSecond; ahead_us += 7 * kMs) {
+    run(0.5, 0, 0);
+    accepts("LASER_FRONT", now_ + ahead_us);
+    now_ += kPeriodUs;
+    run(0.5, 0, 0);
+    EXPECT_GE(laser_accepted_, 20) << ahead_us;  // of 25; five periods
+  }
+}
 
 TEST_F(MonitoredClocks, FollowASmallStep) {
   run(1.0, 0, 0);
-  run(1.0, 300 * kMs, 0);  // ahead: accepted at once
-  EXPECT_EQ(laser_accepted_, 50);
+  run(1.0, 300 * kMs, 0);  // ahead: when it lasts
+  EXPECT_EQ(laser_accepted_, 45);
+  EXPECT_EQ(clocks_.fault(now_), "the clock of LASER_FRONT is 0.3 s ahead of the others");
   run(1.0, 0, 0);  // behind: when it has caught up
   EXPECT_GE(laser_accepted_, 34);
   EXPECT_EQ(set_, 0);
@@ -113,6 +139,54 @@ TEST_F(MonitoredClocks, AcceptALogAtAnySpeed) {
       EXPECT_TRUE(clocks.check("LASER_FRONT", i * kPeriodUs, arrival).empty());
     }
   }
+}
+
+/// With gaps of half a second in one of two channels.
+TEST_F(MonitoredClocks, AcceptALogWithGapsAtAnySpeed) {
+  for (const double speed : {0.2, 1.0, 4.0, 50.0}) {
+    SensorClocks clocks;
+    for (int i = 0; i < 1000; ++i) {
+      const auto arrival = kStart + static_cast<std::int64_t>(i * kPeriodUs / speed);
+      EXPECT_TRUE(clocks.check("IMU", i * kPeriodUs, arrival).empty());
+      if (i % 100 >= 75) continue;
+      EXPECT_TRUE(clocks.check("LASER_FRONT", i * kPeriodUs, arrival).empty()) << speed << " " << i;
+    }
+  }
+}
+
+/// A jitter of the arrival of up to 0.3 s, and a tenth of the messages lost.
+TEST_F(MonitoredClocks, AcceptALatencyThatVaries) {
+  std::mt19937 random(1);
+  std::int64_t last_arrival = 0;
+  for (int i = 0; i < 10'000; ++i) {
+    const std::int64_t utime = kStart + i * kPeriodUs;
+    const auto latency = std::uniform_int_distribution<std::int64_t>(0, 300 * kMs)(random);
+    last_arrival = std::max(last_arrival, utime + latency);
+    if (random() % 10 == 0) continue;
+    EXPECT_TRUE(clocks_.check("LASER_FRONT", utime, last_arrival).empty()) << i;
+  }
+}
+
+/// A driver may publish some measurements at once.
+TEST_F(MonitoredClocks, AcceptBursts) {
+  for (int i = 0; i < 1000; ++i, now_ += 3 * kPeriodUs) {
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(accepts("IMU", now_ + k * kPeriodUs), 1);
+  }
+}
+
+TEST_F(MonitoredClocks, RejectAndReportAClockThatStandsStill) {
+  run(1.0, 0, 0);
+  const std::int64_t frozen = now_ - kPeriodUs;
+  int accepted = 0;
+  for (int i = 0; i < 500; ++i, now_ += kPeriodUs) {
+    accepted += accepts("LASER_FRONT", frozen);
+    EXPECT_EQ(accepts("IMU", now_), 1);
+  }
+  EXPECT_LT(accepted, 60);  // as repetitions, of which the stage decides
+  EXPECT_EQ(clocks_.fault(now_), "the clock of LASER_FRONT stands still");
+  run(1.0, 0, 0);
+  EXPECT_EQ(laser_accepted_, 50);
+  EXPECT_TRUE(clocks_.fault(now_).empty());
 }
 
 TEST_F(MonitoredClocks, AcceptSparseMeasurements) {

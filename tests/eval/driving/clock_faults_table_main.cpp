@@ -75,8 +75,9 @@ bool is_chosen(const test::ClockFaultCase& fault_case, const Options& options) {
 
 void print(const test::ClockFaultCase& fault_case, const test::ClockFaultResult& result) {
   const std::string reported = result.reported.empty() ? "–" : result.reported;
-  const std::string outcome =
-      result.failure.empty() ? name_of(result.outcome) : "failed: " + result.failure;
+  std::string outcome = name_of(result.outcome);
+  if (result.outcome != MissionOutcome::kHome) outcome += ": " + result.reason;
+  if (!result.failure.empty()) outcome = "failed: " + result.failure;
   std::cout << fmt::format(
       "| {} | {} | {} | {:.1f} | {} | {:.2f} | {:.0f} | {} | {} | {} | {} |{}\n", fault_case.number,
       fault_case.mine, fault_case.fault.text(), fault_case.fault.at_s, outcome,

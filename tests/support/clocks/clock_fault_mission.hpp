@@ -40,7 +40,7 @@ struct ClockFaultResult {
 };
 
 /// All combinations of channel, fault and duration, in an order that depends on `seed` alone, each
-/// at a random time of its mission. The first `kControls` of them are missions without a fault, one
+/// at a random time of its mission. The first of them are missions without a fault, one
 /// for each mine.
 std::vector<ClockFaultCase> clock_fault_cases(std::uint64_t seed);
 

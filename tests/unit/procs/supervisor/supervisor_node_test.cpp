@@ -310,5 +310,23 @@ TEST_F(SupervisorNodeTest, RejectsAnInvalidConfiguration) {
   EXPECT_THAT(error_of(params), HasSubstr("command \"quiet\" has no deputy"));
 }
 
+TEST_F(SupervisorNodeTest, RestartsAProcessThatIgnoresItsInputAndSaysSo) {
+  std::ofstream(folder_ / "list.cfg") << R"(
+cmd "deaf" { exec = "sleep 1000"; deputy = "robot"; auto_respawn = "true"; start_timeout_s = 0;
+             answer_channel = "POSE"; answers_to = "LASER_FRONT"; answer_timeout_s = 0.3; })";
+  start_node();
+  run_on();
+  EXPECT_EQ(control_request({"start", "deaf"}), "");
+  EXPECT_TRUE(becomes_true([&] {
+    bus_.publish(channels::kLaserFront, {});
+    return status("deaf").pid > 0 &&
+           node_->health() ==
+               Health{Health::Level::kDegraded,
+                      "deaf was restarted: ignored its input: no POSE for 0.3 s while LASER_FRONT "
+                      "came"};
+  })) << node_->health().reason;
+  EXPECT_THAT(control_request({"ps"}), HasSubstr("\t1 (1)\t"));
+}
+
 }  // namespace
 }  // namespace adit

@@ -50,14 +50,13 @@ run() {
   local text; text=$(tail -n 12 "/dev/shm/$$.last")
   [[ $code == 1 ]] || complain "$name: exit code $code"
   grep -q 'the recording has stopped: ' <<<"$text" || complain "$name: the end does not say that the recording stopped"
-  grep -q '^home:.* MB free on the disk' "/dev/shm/$$.last" || grep -q '^home:.*No space left' "/dev/shm/$$.last" ||
+  grep -qE '^the robot is at home, .*; it turned around: .*( MB free on the disk|No space left)' "/dev/shm/$$.last" ||
     complain "$name: the outcome does not say why the robot came home"
-  "$adit" report --help >/dev/null
   rm -f ballast
   "$adit" report "$name/run.lcmlog" --out report >"/dev/shm/$$.report" 2>&1 || complain "$name: the log cannot be reported"
   grep -qi 'corrupt\|truncated\|damaged\|incomplete event' "/dev/shm/$$.report" && complain "$name: the log is damaged"
   ((failures)) && { cat "/dev/shm/$$.last" "/dev/shm/$$.report" >&2; }
-  echo "$name: exit code $code; $(grep '^home' "/dev/shm/$$.last" | tail -1)"
+  echo "$name: exit code $code; $(grep '^the robot' "/dev/shm/$$.last" | tail -1)"
   rm -rf report "/dev/shm/$$."*
 }
 

@@ -54,8 +54,10 @@ class MissionProgressPrinter {
     for (const std::string& loss : {last.record_stopped, trace_failure}) {
       if (!loss.empty()) print_error("adit mission", loss);
     }
-    std::cout << fmt::format("\n{}\n",
-                             message_line(abort_reason.empty() ? last.phase.reason : abort_reason))
+    std::string outcome = abort_reason.empty() ? last.phase.reason : abort_reason;
+    if (const std::string& why = last.phase.return_home_reason; !why.empty())
+      outcome += "; it turned around: " + why;
+    std::cout << fmt::format("\n{}\n", message_line(outcome))
               << fmt::format(
                      "{:.0f} s of simulated time in {:.0f} s; {:.2f} m from the start at "
                      "the end\n",

@@ -6,9 +6,10 @@
 //   FAIL_AFTER  bytes that they take together before they fail (default: none fails)
 //   FAIL_WITH   EIO (default) or ENOSPC
 //   FAIL_CALL   write (default), fsync, close or rename: the call that fails
-//   FAIL_SHORT  writes take at most so many bytes, a pseudo-random number that depends on the amount
+//   FAIL_SHORT  writes take at most so many bytes, a pseudo-random number that depends on the
+//   amount
 //               written, and every third one is interrupted (EINTR)
-// Calls through stdio and iostreams of the C++ library reach these functions, too.
+// Calls of the C++ library, i.e. of its streams, reach these functions, those of stdio do not.
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -31,15 +32,18 @@ std::string variable(const char* name) {
   return value ? value : "";
 }
 
-bool is_below(const char* path) {
+bool is_below(const std::string& path) {
   const std::string folder = variable("FAIL_BELOW");
-  return !folder.empty() && std::strncmp(path, folder.c_str(), folder.size()) == 0;
+  if (folder.empty()) return false;
+  if (path.empty() || path[0] == '/') return path.compare(0, folder.size(), folder) == 0;
+  char working[4096] = {};
+  return getcwd(working, sizeof(working)) != nullptr && is_below(working + ("/" + path));
 }
 
 bool is_below(int file) {
   const std::string link = "/proc/self/fd/" + std::to_string(file);
   char path[4096] = {};
-  return readlink(link.c_str(), path, sizeof(path) - 1) > 0 && is_below(path);
+  return readlink(link.c_str(), path, sizeof(path) - 1) > 0 && is_below(std::string(path));
 }
 
 bool fails_in(const char* call) {
@@ -131,6 +135,6 @@ int close(int file) {
 
 int rename(const char* from, const char* to) {
   static const auto call = original<int (*)(const char*, const char*)>("rename");
-  return checked_call("rename", is_below(from), [&] { return call(from, to); });
+  return checked_call("rename", is_below(std::string(from)), [&] { return call(from, to); });
 }
 }

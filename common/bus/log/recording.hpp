@@ -12,8 +12,9 @@
 
 namespace adit {
 
-/// The recording of a run in an LCM log, which gives way to what must be kept: it stops, with a
-/// readable log, when the space on its disk becomes short or the disk fails, and the run goes on.
+/// The recording of a run in an LCM log, of which the disk is needed more for other files: it
+/// stops, with a readable log, when the space becomes short or the disk fails, and the run
+/// continues.
 class Recording {
  public:
   /// Name of the recorder in its heartbeats, and among the stages that a simulator waits for.

@@ -55,6 +55,10 @@ run() {
   rm -f ballast
   "$adit" report "$name/run.lcmlog" --out report >"/dev/shm/$$.report" 2>&1 || complain "$name: the log cannot be reported"
   grep -qi 'corrupt\|truncated\|damaged\|incomplete event' "/dev/shm/$$.report" && complain "$name: the log is damaged"
+  # Says what is wrong with the journals, and whether the map has fewer local maps than the mission has seen.
+  local resumed; resumed=$("$adit" mission --resume --out "$name" 2>&1)
+  [[ $(wc -l <<<"$resumed") == 1 && $resumed == *"has ended: the robot is at home"* ]] ||
+    complain "$name: journals: $resumed"
   ((failures)) && { cat "/dev/shm/$$.last" "/dev/shm/$$.report" >&2; }
   echo "$name: exit code $code; $(grep '^the robot' "/dev/shm/$$.last" | tail -1)"
   rm -rf report "/dev/shm/$$."*

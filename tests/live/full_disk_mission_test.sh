@@ -55,6 +55,9 @@ run() {
   rm -f ballast
   "$adit" report "$name/run.lcmlog" --out report >"/dev/shm/$$.report" 2>&1 || complain "$name: the log cannot be reported"
   grep -qi 'corrupt\|truncated\|damaged\|incomplete event' "/dev/shm/$$.report" && complain "$name: the log is damaged"
+  if [[ $name == filling ]]; then
+    grep -q '"record_stopped": "fault: the recording has stopped' report/summary.json || complain "$name: not in summary.json"
+  fi
   # Says what is wrong with the journals, and whether the map has fewer local maps than the mission has seen.
   local resumed; resumed=$("$adit" mission --resume --out "$name" 2>&1)
   [[ $(wc -l <<<"$resumed") == 1 && $resumed == *"has ended: the robot is at home"* ]] ||

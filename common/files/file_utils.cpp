@@ -12,6 +12,7 @@
 #include "common/files/file_error.hpp"
 #include "common/files/gzip_file.hpp"
 #include "common/files/new_file.hpp"
+#include "common/files/output_file.hpp"
 
 namespace adit {
 
@@ -66,11 +67,9 @@ std::string read_gzip_file(const fs::path& path, std::size_t bytes_max) {
 
 void write_text_file(std::string_view text, const fs::path& path) {
   NewFile file(path);
-  std::ofstream out(file.part(), std::ios::binary);
-  out << text;
+  OutputFile out(file.part(), path);
+  out.write(text);
   out.close();
-  if (!out)
-    throw std::system_error(errno, std::generic_category(), "cannot write " + path.string());
   file.publish();
 }
 

@@ -63,6 +63,17 @@ void LockedFile::truncate(std::uint64_t size) const {
   }
 }
 
+LockedFile::Reservation LockedFile::reserve(std::uint64_t offset, std::uint64_t end) const {
+  if (end <= offset) return Reservation::kDone;
+  const int result = retry([&] {
+    return fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(offset),
+                     static_cast<off_t>(end - offset));
+  });
+  if (result == 0) return Reservation::kDone;
+  const bool is_full = errno == ENOSPC || errno == EDQUOT;
+  return is_full ? Reservation::kNoSpace : Reservation::kNotSupported;
+}
+
 void LockedFile::sync() const {
   if (retry([&] { return fsync(file_); }) != 0) fail("cannot sync", errno);
 }

@@ -24,7 +24,17 @@ class LockedFile {
 
   /// Writes all bytes or throws; bytes written before the error remain.
   void write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) const;
+  /// Also gives back what is reserved beyond that size.
   void truncate(std::uint64_t size) const;
+
+  enum class Reservation {
+    kDone,
+    kNoSpace,
+    kNotSupported  ///< by the file system
+  };
+  /// Reserves the space of the bytes from `offset` to `end` on the disk, so that they can be
+  /// written when it is full. The size and the content of the file do not change.
+  [[nodiscard]] Reservation reserve(std::uint64_t offset, std::uint64_t end) const;
 
   /// Returns when the written data is on the disk.
   void sync() const;

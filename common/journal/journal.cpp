@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/journal/journal.hpp"
 
+#include <cerrno>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -149,6 +150,22 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
   end_ = encoded_bytes(joined);
   for (std::size_t i = 0; i < files_.size(); ++i) repair(files_[i], scans[i], joined);
   if (end_ == 0) files_.front()->sync_folder();
+  reserve_ahead();
+}
+
+Journal::~Journal() {
+  for (const auto& file : files_) discard_partial_record(*file, end_);
+}
+
+/// In steps, as each is a change of the file system. Where it has no space left, what is reserved
+/// is used up; where it cannot reserve, every record takes its space when it is written.
+void Journal::reserve_ahead() {
+  if (end_ + kReserveMinBytes <= reserved_) return;
+  const std::uint64_t wanted = end_ + kReserveBytes;
+  const bool done = std::all_of(files_.begin(), files_.end(), [&](const auto& file) {
+    return file->reserve(end_, wanted) == LockedFile::Reservation::kDone;
+  });
+  if (done) reserved_ = wanted;
 }
 
 /// Leaves an intact file as it is, removes an incomplete record, adds those that the other copy has
@@ -181,22 +198,39 @@ void Journal::replace(std::unique_ptr<LockedFile>& file, const std::vector<Found
   file = std::move(written);
 }
 
+/// A record that does not fit must not be begun: taking back its part would give back the space
+/// that is reserved for smaller ones.
+void Journal::require_space(std::uint64_t end) {
+  if (end <= reserved_) return;
+  for (const auto& file : files_) {
+    if (file->reserve(end_, end) == LockedFile::Reservation::kNoSpace) {
+      throw FileError(file->path().string() +
+                      ": cannot write: " + std::generic_category().message(ENOSPC));
+    }
+  }
+}
+
 void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes) {
   const std::vector<std::uint8_t> record = journal_format::write({kind, bytes}, next_);
+  require_space(end_ + record.size());
   try {
     for (const auto& file : files_) file->write_at(end_, record);
   } catch (const std::runtime_error&) {
     for (const auto& file : files_) discard_partial_record(*file, end_);
+    reserved_ = 0;  // given back with it
     throw;
   }
   end_ += record.size();
   next_ = {next_.sequence + 1, journal_format::checksum_of(record)};
+  reserve_ahead();
 }
 
 void Journal::clear() {
   for (const auto& file : files_) file->truncate(0);
   end_ = 0;
   next_ = {};
+  reserved_ = 0;
+  reserve_ahead();
 }
 
 void Journal::sync() const {

@@ -47,11 +47,15 @@ std::filesystem::path journal_copy(const std::filesystem::path& path);
 /// An append-only file of records, and a copy of it, that survives crashes of the process and the
 /// computer, and damage of either file. After
 /// `append` a record survives the process; after `sync` it survives the computer. The same records
-/// give the same bytes.
+/// give the same bytes. Space beyond the end is reserved on the disk, as far as its file system
+/// can, so that records of together kReserveMinBytes can be appended after the disk became full.
 ///
 /// All file errors throw std::runtime_error with one line that begins with the path.
 class Journal {
  public:
+  static constexpr std::uint64_t kReserveMinBytes = 1'000'000;  ///< for each copy
+  static constexpr std::uint64_t kReserveBytes = 2 * kReserveMinBytes;
+
   /// Opens or creates the journal and passes its records, in order, to the reader. A truncated last
   /// record is removed. A file with other damage is replaced by one with all records of both
   /// copies, and kept as FILE.damaged; so is a file of the format before, which is converted.
@@ -59,6 +63,10 @@ class Journal {
   /// open.
   explicit Journal(
       const std::filesystem::path& path, const JournalReader& reader = [](const JournalRecord&) {});
+  /// Gives back the space that is reserved and not used.
+  ~Journal();
+  Journal(Journal&&) noexcept = default;
+  Journal& operator=(Journal&&) = delete;
 
   /// Appends a record. If that fails, e.g. on a full disk, the journal is unchanged and the call
   /// may be repeated. `kind` has 1 to JournalRecord::kKindMax characters.
@@ -82,11 +90,15 @@ class Journal {
   void replace(std::unique_ptr<LockedFile>& file, const std::vector<JournalScan::Found>& joined,
                bool keep);
 
+  void reserve_ahead();
+  void require_space(std::uint64_t end);
+
   std::vector<std::unique_ptr<LockedFile>> files_;  // the same bytes in each
   JournalHealth health_;
   std::string damage_;
   journal_format::Place next_;  // of the next record
   std::uint64_t end_ = 0;       // its offset
+  std::uint64_t reserved_ = 0;  // end of the reserved space, of each file
 };
 
 /// Passes the records of a journal and its copy, which may be in use, to the reader without

@@ -137,6 +137,16 @@ bool is_truncated(Bytes bytes) {
   return journal_format::size(bytes).value_or(0) > bytes.size();
 }
 
+bool are_zeros(Bytes bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+}
+
+/// True if the bytes after some records are one without its end, or zeros: space that was reserved.
+/// Zeros alone may be a journal that is lost.
+bool is_unwritten(Bytes bytes, const std::vector<JournalScan::Found>& records) {
+  return is_truncated(bytes) || (!records.empty() && are_zeros(bytes));
+}
+
 /// The first intact record from an offset on; nothing if there is none.
 std::optional<JournalScan::Found> find_record(Bytes bytes, std::size_t from) {
   auto at = bytes.begin() + static_cast<std::ptrdiff_t>(from);
@@ -172,7 +182,7 @@ JournalScan scan_journal(std::span<const std::uint8_t> bytes) {
   while (position < bytes.size()) {
     auto found = find_record(bytes, position);
     const std::size_t start = found ? found->offset : bytes.size();
-    if (!found && is_truncated(bytes.subspan(position))) {
+    if (!found && is_unwritten(bytes.subspan(position), scan.records)) {
       scan.truncated_bytes = bytes.size() - position;
       break;
     }
@@ -190,8 +200,7 @@ JournalScan scan_journal(std::span<const std::uint8_t> bytes) {
 }
 
 bool may_be_journal(std::span<const std::uint8_t> bytes) {
-  return starts_like_record(bytes) ||
-         std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+  return starts_like_record(bytes) || are_zeros(bytes);
 }
 
 }  // namespace adit

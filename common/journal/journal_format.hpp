@@ -75,7 +75,7 @@ struct JournalScan {
 
   std::vector<Found> records;          ///< in the order of the file
   std::vector<JournalRegion> corrupt;  ///< each holds one or more unreadable records
-  std::size_t truncated_bytes = 0;     ///< of an incomplete last record
+  std::size_t truncated_bytes = 0;     ///< of an incomplete last record, or zeros there
   std::size_t bytes = 0;               ///< all
   bool has_old_records = false;
 

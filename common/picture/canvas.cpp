@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
 
+#include "common/files/file_error.hpp"
 #include "common/files/new_file.hpp"
+#include "common/files/output_file.hpp"
 #include "common/picture/palette.hpp"
 
 namespace adit {
@@ -90,13 +93,37 @@ void Canvas::set(const RgbImage& image) const {
   cairo_surface_mark_dirty(surface);
 }
 
+namespace {
+
+struct PngOutput {
+  OutputFile file;
+  std::exception_ptr failure;
+};
+
+/// No exception may pass through Cairo.
+cairo_status_t write_to_output(void* output_of, const unsigned char* bytes, unsigned int size) {
+  auto& output = *static_cast<PngOutput*>(output_of);
+  try {
+    output.file.write({reinterpret_cast<const char*>(bytes), size});
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const FileError&) {
+    output.failure = std::current_exception();
+    return CAIRO_STATUS_WRITE_ERROR;
+  }
+}
+
+}  // namespace
+
 void Canvas::write_png(const std::filesystem::path& path) const {
   NewFile file(path);
-  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.part().c_str());
+  PngOutput output{OutputFile(file.part(), path), nullptr};
+  const cairo_status_t status =
+      cairo_surface_write_to_png_stream(surface_.get(), write_to_output, &output);
+  if (output.failure) std::rethrow_exception(output.failure);
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error("cannot write " + path.string() + ": " +
-                             cairo_status_to_string(status));
+    throw FileError("cannot write " + path.string() + ": " + cairo_status_to_string(status));
   }
+  output.file.close();
   file.publish();
 }
 

@@ -74,6 +74,21 @@ SealKey SealKey::read(const std::filesystem::path& path) {
   return key;
 }
 
+namespace {
+
+/// False with the reason in errno.
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
 void SealKey::write_new(const std::filesystem::path& path) const {
   const Descriptor file(
       open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
@@ -82,8 +97,7 @@ void SealKey::write_new(const std::filesystem::path& path) const {
   sodium_bin2hex(text.data(), text.size(), bytes_.data(), bytes_.size());
   text[64] = '\n';
   const bool is_written =
-      write(file.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-      fsync(file.get()) == 0;
+      write_all(file.get(), {text.data(), text.size()}) && fsync(file.get()) == 0;
   if (is_written) return;
   const int reason = errno;
   unlink(path.c_str());

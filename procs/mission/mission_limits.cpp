@@ -87,6 +87,10 @@ void MissionLimits::add(const MapCorrection& correction) {
   }
 }
 
+void MissionLimits::add_disk_failure(const std::string& reason) {
+  if (!reason.empty()) require_return(reason);
+}
+
 double MissionLimits::remaining_m(double elapsed_s, double distance_travelled_m) const {
   double remaining = params_.path_length_max_m - distance_travelled_m;
   const double speed = elapsed_s > 0.0 ? distance_travelled_m / elapsed_s : 0.0;

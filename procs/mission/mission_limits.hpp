@@ -28,6 +28,7 @@ struct MissionLimitsParams {
   double lost_scans_max_share = 0.5;  ///< of the last 200 scans, about
   double map_sd_max_m = 5.0;          ///< standard deviation of the newest local map's position
   double unmeasured_max_s = 10.0;     ///< without a measurement of motion in some direction
+  double disk_free_min_mb = 200.0;    ///< on the disk of the journals; 0: not watched
 
   template <class V>
   void visit(V& v) {
@@ -42,6 +43,7 @@ struct MissionLimitsParams {
     v("lost_scans_max_share", lost_scans_max_share, above_up_to(0.0, 1.0));
     v("map_sd_max_m", map_sd_max_m, above(0.0));
     v("unmeasured_max_s", unmeasured_max_s, above(0.0));
+    v("disk_free_min_mb", disk_free_min_mb, at_least(0.0));
   }
 };
 
@@ -58,6 +60,8 @@ class MissionLimits {
   void add(const VehicleState& state);
   void add(const ScanMatch& match, bool robot_moves);
   void add(const MapCorrection& correction);
+  /// Space is short on the disk of the journals, or it fails: why, a sentence; empty if neither.
+  void add_disk_failure(const std::string& reason);
 
   /// Why the robot must return home, a sentence. The first reason stays.
   [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::int64_t kPeriodUs = 100'000;
 constexpr std::int64_t kPublishPeriodUs = 1'000'000;
+constexpr std::int64_t kSpacePeriodUs = 1'000'000;
 constexpr std::size_t kQueueLength = 100;
 
 }  // namespace
@@ -45,6 +46,11 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
                                advance();
                              });
   bus.create_timer(kPeriodUs, [this](std::int64_t) { advance(); });
+  if (!journal_) return;
+  space_.emplace(params.journal, params.limits.disk_free_min_mb);
+  bus.create_timer(kSpacePeriodUs, [this](std::int64_t) {
+    mission_.limits().add_disk_failure(space_->shortage());
+  });
 }
 
 void MissionNode::subscribe_to_stages() {
@@ -119,6 +125,7 @@ void MissionNode::store(const Record& record) {
     journal_failure_.clear();
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();
+    mission_.limits().add_disk_failure(journal_failure_);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/files/disk_space.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "procs/mission/mission.hpp"
 #include "procs/mission/mission_journal.hpp"
@@ -52,6 +53,7 @@ class MissionNode {
   Bus& bus_;
   Mission mission_;
   std::optional<MissionJournal> journal_;
+  std::optional<DiskSpace> space_;  ///< for the journals
   std::string journal_failure_;
   std::int32_t published_sequence_ = -1;
   std::int64_t published_utime_ = 0;

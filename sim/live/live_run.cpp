@@ -47,12 +47,12 @@ LcmBusOptions bus_options(const LiveRunOptions& run) {
   options.url = run.lcm_url;
   options.time = BusTime::kSimulated;  // its own SIM_TIME, received as by other stages
   options.seal = load_section<SealParams>(load_config(run.config), SealParams::kSection).read();
-  if (!run.record.empty()) options.stage = kRecordStage;
+  if (!run.record.empty()) options.stage = Recording::kStage;
   return options;
 }
 
 LiveRunOptions with_record_stage(LiveRunOptions options) {
-  if (!options.record.empty()) options.pacing.wait_for.emplace_back(kRecordStage);
+  if (!options.record.empty()) options.pacing.wait_for.emplace_back(Recording::kStage);
   return options;
 }
 

@@ -41,9 +41,6 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options);
 /// Help text of both on worlds, time and faults.
 extern const char* const kLiveRunFooter;
 
-/// Name of the recorder among the stages that the simulator waits for.
-inline constexpr const char* kRecordStage = "record";
-
 /// Runs the simulator until SIGINT, SIGTERM or the end of its duration. After a failure of the run
 /// the vehicle stands and the simulation continues. A simulator that records waits for its
 /// recorder, and at the end for outstanding messages of the stages. Throws for invalid options and

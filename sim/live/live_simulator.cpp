@@ -11,6 +11,7 @@
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/version.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/files/file_error.hpp"
 #include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
 #include "common/text/message_text.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::size_t kMessageQueueSize = 4096;  // of one channel
 constexpr std::size_t kAnswerQueueSize = 1000;
+constexpr std::int64_t kRecordPeriodUs = 1'000'000;
 constexpr std::int64_t kReminderUs = 500'000;  // of wall time
 
 std::string state_of(const RunState& run, const VehicleState& vehicle) {
@@ -37,8 +39,9 @@ std::string waiting_message(const std::string& stage) {
 
 }  // namespace
 
-BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, Clock clock)
-    : log_(path), clock_(std::move(clock)) {
+BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, double free_min_mb,
+                         Clock clock)
+    : log_(path, free_min_mb), clock_(std::move(clock)) {
   for (const std::string_view channel : channels::kAll) {
     bus.subscribe(channel, Delivery::queued(kMessageQueueSize),
                   [this](const ReceivedMessage& received) -> std::string_view {
@@ -46,6 +49,12 @@ BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, Clock cloc
                     return {};
                   });
   }
+  bus.create_timer(kRecordPeriodUs, [this, &bus](std::int64_t) {
+    log_.check_space(clock_());
+    if (log_.stopped().empty()) return;
+    const LogEvent heartbeat = log_.heartbeat(clock_());
+    bus.publish(heartbeat.channel, heartbeat.data);
+  });
 }
 
 std::string progress_line(double elapsed_s, double factor, const RunState& run,
@@ -83,7 +92,8 @@ LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription&
       start_utime_(start_utime),
       for_s_(options.for_s) {
   if (!options.record.empty()) {
-    recorder_.emplace(bus, options.record, [this] { return node_.simulation().utime(); });
+    recorder_.emplace(bus, options.record, params.record_free_min_mb,
+                      [this] { return node_.simulation().utime(); });
   }
   host_.set_health([this] { return node_.health(); });
   subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone,
@@ -98,6 +108,7 @@ LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription&
 
 std::int64_t LiveSimulator::advance(std::int64_t wall_us) {
   progress_.update(node_.simulation(), start_utime_, wall_us);
+  report_record();
   const Pacing::Decision decision = pacing_.decide(node_.next_utime(), wall_us);
   if (decision.kind == Pacing::Decision::Kind::kStep) step();
   if (decision.kind == Pacing::Decision::Kind::kWaitForStages) remind_stages(wall_us);
@@ -129,8 +140,16 @@ bool LiveSimulator::done() const {
   return for_s_ && seconds(elapsed_us) >= *for_s_;
 }
 
+void LiveSimulator::report_record() {
+  if (!recorder_ || record_stopped_ || recorder_->stopped().empty()) return;
+  record_stopped_ = true;
+  progress_.print(recorder_->stopped());
+}
+
 void LiveSimulator::close_record() {
-  if (recorder_) recorder_->close();
+  if (!recorder_) return;
+  recorder_->close();
+  if (!recorder_->stopped().empty()) throw FileError(recorder_->stopped());
 }
 
 }  // namespace adit

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/bus/log/lcm_log.hpp"
+#include "common/bus/log/recording.hpp"
 #include "common/bus/node/node_host.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/live/pacing.hpp"
@@ -27,16 +27,19 @@ class BusRecorder {
  public:
   using Clock = std::function<std::int64_t()>;  ///< [µs since the epoch], monotonic
 
-  /// Throws as LogWriter does. Handling a message throws if it cannot be written.
-  BusRecorder(Bus& bus, const std::filesystem::path& path, Clock clock);
+  /// A recording that stops (Recording) publishes HEARTBEAT with the reason each second.
+  BusRecorder(Bus& bus, const std::filesystem::path& path, double free_min_mb, Clock clock);
   BusRecorder(const BusRecorder&) = delete;
   BusRecorder& operator=(const BusRecorder&) = delete;
 
   /// Closes the log.
   void close() { log_.close(); }
 
+  /// Why the recording has stopped, in one line; empty while it runs.
+  [[nodiscard]] const std::string& stopped() const { return log_.stopped(); }
+
  private:
-  LogWriter log_;
+  Recording log_;
   Clock clock_;
 };
 
@@ -87,11 +90,12 @@ class LiveSimulator {
   /// Whether the requested duration is over.
   [[nodiscard]] bool done() const;
 
-  /// Closes the recording, if there is one.
+  /// Closes the recording, if there is one. Throws FileError if it is incomplete.
   void close_record();
 
  private:
   void step();
+  void report_record();
   void remind_stages(std::int64_t wall_us);
 
   NodeHost host_;
@@ -103,6 +107,7 @@ class LiveSimulator {
   std::optional<double> for_s_;
   std::int64_t next_reminder_us_ = 0;  // wall time
   std::optional<BusRecorder> recorder_;
+  bool record_stopped_ = false;
 };
 
 }  // namespace adit

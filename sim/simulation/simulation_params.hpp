@@ -59,6 +59,7 @@ struct SimulationParams {
   WheelOdometryParams wheel_odometry;
   ImuParams imu;
   std::vector<FaultDescription> faults;
+  double record_free_min_mb = 500.0;  ///< on its disk, below which a recording stops
 
   template <class V>
   void visit(V& v) {
@@ -70,6 +71,7 @@ struct SimulationParams {
     v("wheel_odometry", wheel_odometry);
     v("imu", imu);
     v("faults", faults);
+    v("record_free_min_mb", record_free_min_mb, at_least(0.0));
   }
 };
 

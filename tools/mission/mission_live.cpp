@@ -19,6 +19,7 @@
 
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/node/stop_signal.hpp"
+#include "common/files/disk_space.hpp"
 #include "common/files/locked_file.hpp"
 #include "common/sensing/seconds.hpp"
 #include "procs/supervisor/control/control_client.hpp"
@@ -92,6 +93,8 @@ constexpr const char* kPrivateUrl = "udpm://239.255.76.67:7667?ttl=0";
 constexpr std::int64_t kProgressPeriodUs = 500'000;  // of wall time
 constexpr std::int64_t kStallTimeoutUs = 60'000'000;
 constexpr int kPollMs = 50;
+constexpr double kFullMb = 1.0;                     // less is a full disk
+constexpr std::uint64_t kReservationTested = 4096;  // bytes
 
 std::int64_t wall_us() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -133,6 +136,7 @@ class LiveMission {
       const std::int64_t now_us = wall_us();
       result.abort_reason = abort_reason(stop, now_us);
       restart_timed_out_stages(now_us);
+      report_record();
       if (now_us < progress_us + kProgressPeriodUs) continue;
       progress_us = now_us;
       if (progress) progress(monitor_.progress(), seconds(now_us - begin_us));
@@ -140,7 +144,7 @@ class LiveMission {
     result.wall_s = seconds(wall_us() - begin_us);
     result.interrupted = stop.received();
     supervisor_.stop();
-    monitor_.require_written();
+    result.trace_failure = monitor_.trace_failure();
     result.last = monitor_.progress();
     result.farthest_m = monitor_.farthest_m();
     return result;
@@ -164,7 +168,14 @@ class LiveMission {
       advanced_us_ = now_us;
     }
     if (now_us < advanced_us_ + kStallTimeoutUs) return {};
+    const std::string shortage = DiskSpace(folder_.path(), kFullMb).shortage();
+    if (!shortage.empty()) return "simulated time has stopped, the disk is full: " + shortage;
     return "simulated time has stopped; see supervisor.log";
+  }
+
+  void report_record() {
+    const std::string stopped = monitor_.progress().record_stopped;
+    if (std::exchange(record_stopped_, stopped) != stopped) notify_(stopped);
   }
 
   /// The supervisor cannot detect this: while one stage hangs, simulated time stops, and no stage
@@ -182,6 +193,7 @@ class LiveMission {
   LcmBus bus_;
   MissionMonitor monitor_;
   SupervisorProgram supervisor_;
+  std::string record_stopped_;
   std::int64_t utime_ = 0;
   std::int64_t advanced_us_ = 0;  // wall time
 };
@@ -201,6 +213,10 @@ MissionLiveResult run_live_mission(const MissionLiveOptions& options,
   const MissionFolder folder(options.folder);
   const LockedFile lock_file(folder.lock_file());
   write_pid(lock_file);
+  if (lock_file.reserve(0, kReservationTested) == LockedFile::Reservation::kNotSupported) {
+    notify("the file system of " + folder.path().string() +
+           " cannot reserve space for the journals: records may not fit once it is full");
+  }
   const MissionStart start = prepare_mission(options, folder);
   std::filesystem::current_path(folder.path());
   LiveMission mission(options, folder, start, notify);

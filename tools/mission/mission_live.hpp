@@ -28,9 +28,10 @@ struct MissionLiveOptions {
 struct MissionLiveResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double farthest_m = 0.0;   ///< largest straight-line distance of the true pose from the start
-  bool interrupted = false;  ///< by SIGINT or SIGTERM
-  std::string abort_reason;  ///< empty if the mission ended by itself
+  double farthest_m = 0.0;    ///< largest straight-line distance of the true pose from the start
+  bool interrupted = false;   ///< by SIGINT or SIGTERM
+  std::string abort_reason;   ///< empty if the mission ended by itself
+  std::string trace_failure;  ///< why phases.tsv could not be written; empty if it was
 };
 
 /// `wall_s` is the wall time since the start of the mission.

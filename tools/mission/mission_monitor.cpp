@@ -7,8 +7,10 @@
 #include <cstddef>
 
 #include "common/bus/channels.hpp"
+#include "common/bus/log/recording.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
@@ -43,6 +45,11 @@ void MissionMonitor::subscribe_all(Bus& bus) {
     const Eigen::Vector2d off = truth.T_odom_body.translation() - start_.p_world;  // T_world_body
     if (!start_.z_m) start_.z_m = truth.z_m;
     follower_.set_distance_from_start(std::hypot(off.x(), off.y(), truth.z_m - *start_.z_m));
+  });
+  subscribe<heartbeat_t>(bus, channels::kHeartbeat, all, [this](const Heartbeat& heartbeat) {
+    const bool has_stopped = heartbeat.health.level != Health::Level::kOk;
+    if (heartbeat.stage == Recording::kStage && has_stopped)
+      follower_.set_record_stopped(heartbeat.health.reason);
   });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });

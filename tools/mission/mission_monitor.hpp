@@ -26,7 +26,8 @@ class MissionMonitor {
   MissionMonitor(Bus& bus, const std::filesystem::path& trace, const MissionStart& start);
 
   [[nodiscard]] MissionProgress progress() const { return follower_.progress(); }
-  void require_written() const { follower_.require_written(); }
+  /// Why phases.tsv could not be written; empty if it was.
+  [[nodiscard]] std::string trace_failure() const { return follower_.failure(); }
   [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
   [[nodiscard]] bool has_ended() const { return follower_.has_ended(); }
   /// Failure of the simulated run, a collision; empty without.

@@ -28,10 +28,10 @@ std::string progress_text(const MissionProgress& progress, double factor) {
   const MissionPhase& phase = progress.phase;
   return fmt::format(
       "{:6.0f} s  {:<8} {}  {:6.1f} m driven, {:6.1f} m from the start, {:3} local maps, "
-      "{:3} scans, {:.1f} x real time",
+      "{:3} scans, {:.1f} x real time{}",
       progress.simulated_s, name_of(phase.phase), phase.returning_home ? "returning" : "outbound ",
       phase.distance_travelled_m, progress.distance_from_start_m, progress.local_maps, phase.scans,
-      factor);
+      factor, progress.record_stopped.empty() ? "" : ", not recorded");
 }
 
 MissionFollower::MissionFollower(Bus& bus, const std::filesystem::path& file,
@@ -72,11 +72,11 @@ void MissionFollower::set_distance_from_start(double distance_m) {
 }
 
 MissionProgress MissionFollower::progress() const {
-  return {phase_, simulated_s_(), distance_from_start_m_, local_maps_};
+  return {phase_, simulated_s_(), distance_from_start_m_, local_maps_, record_stopped_};
 }
 
-void MissionFollower::require_written() const {
-  if (!file_) throw std::runtime_error(fmt::format("cannot write {}", path_.string()));
+std::string MissionFollower::failure() const {
+  return file_ ? "" : fmt::format("cannot write {}", path_.string());
 }
 
 bool MissionFollower::has_ended() const {

@@ -28,6 +28,7 @@ struct MissionProgress {
   double simulated_s = 0.0;
   double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose, in space
   int local_maps = 0;
+  std::string record_stopped = {};  ///< why the recording has stopped; empty while it runs
 };
 
 /// Progress as one line; `factor` is the speed in multiples of real time.
@@ -45,6 +46,8 @@ class MissionFollower {
   MissionFollower(const MissionFollower&) = delete;
   MissionFollower& operator=(const MissionFollower&) = delete;
 
+  /// The recording of the run has stopped: why, in one line.
+  void set_record_stopped(const std::string& reason) { record_stopped_ = reason; }
   /// Takes the present straight-line distance of the true pose from the start.
   void set_distance_from_start(double distance_m);
 
@@ -52,8 +55,8 @@ class MissionFollower {
   [[nodiscard]] MissionProgress progress() const;
   /// Largest straight-line distance of the true pose from the start.
   [[nodiscard]] double farthest_m() const { return farthest_m_; }
-  /// Throws std::runtime_error if a line of the file could not be written.
-  void require_written() const;
+  /// Why a line of the file could not be written; empty if all were.
+  [[nodiscard]] std::string failure() const;
   /// Whether the phase has been ended for kAfterEndS.
   [[nodiscard]] bool has_ended() const;
 
@@ -71,6 +74,7 @@ class MissionFollower {
   int local_maps_ = 0;
   double distance_from_start_m_ = 0.0;
   double farthest_m_ = 0.0;
+  std::string record_stopped_;
 };
 
 }  // namespace adit

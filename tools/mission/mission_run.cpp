@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/bus/log/lcm_log.hpp"
+#include "common/bus/log/recording.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/node_host.hpp"
 #include "common/bus/node/stages.hpp"
@@ -25,7 +25,8 @@
 namespace adit {
 namespace {
 
-constexpr double kProgressS = 1.0;  // of simulated time
+constexpr double kProgressS = 1.0;                  // of simulated time
+constexpr std::int64_t kSpacePeriodUs = 1'000'000;  // of simulated time
 
 /// Simulator and all stages on one bus.
 class MissionInProcess {
@@ -35,7 +36,7 @@ class MissionInProcess {
       : options_(options),
         start_utime_(start_utime),
         params_(load_simulation_params(options.config, options.faults)),
-        log_(MissionFolder(options.folder).next_log()),
+        log_(MissionFolder(options.folder).next_log(), params_.record_free_min_mb),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
         sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), start_utime),
         follower_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
@@ -58,6 +59,7 @@ class MissionInProcess {
       bus_.advance_to(sim_.next_utime());
       sim_.step();
       follower_.set_distance_from_start(distance_from_start_m());
+      check_record();
       if (progress && is_progress_due()) {
         reported_s_ = simulated_s();
         reported_sequence_ = follower_.phase().sequence;
@@ -65,15 +67,24 @@ class MissionInProcess {
       }
     }
     log_.close();
-    follower_.require_written();
+    follower_.set_record_stopped(log_.stopped());
     return {.last = follower_.progress(),
             .distance_from_start_m = distance_from_start_m(),
             .farthest_m = follower_.farthest_m(),
             .distance_travelled_m = sim_.simulation().state().distance_travelled_m,
-            .failure = sim_.simulation().state().failure};
+            .failure = sim_.simulation().state().failure,
+            .trace_failure = follower_.failure()};
   }
 
  private:
+  void check_record() {
+    const std::int64_t utime = sim_.simulation().utime();
+    if (utime < space_utime_ + kSpacePeriodUs) return;
+    space_utime_ = utime;
+    log_.check_space(utime);
+    follower_.set_record_stopped(log_.stopped());
+  }
+
   [[nodiscard]] bool is_over() const {
     return follower_.has_ended() || !sim_.simulation().state().failure.empty() ||
            simulated_s() > options_.time_max_s;
@@ -95,12 +106,13 @@ class MissionInProcess {
   const MissionRunOptions& options_;
   std::int64_t start_utime_;
   SimulationParams params_;
-  LogWriter log_;
+  Recording log_;
   MemoryBus bus_;
   NodeHost host_;
   SimNode sim_;
   MissionFollower follower_;
   std::vector<std::unique_ptr<HostedNode>> nodes_;
+  std::int64_t space_utime_ = 0;
   double reported_s_ = 0.0;
   std::int32_t reported_sequence_ = 0;
   Eigen::Vector3d start_{0.0, 0.0, 0.0};

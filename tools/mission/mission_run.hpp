@@ -33,6 +33,7 @@ struct MissionRunResult {
   double farthest_m = 0.0;  ///< maximum of that distance
   double distance_travelled_m = 0.0;  ///< true
   std::string failure;                ///< a collision; empty without
+  std::string trace_failure;          ///< why phases.tsv could not be written; empty if it was
 };
 
 /// The same options give the same log, byte for byte. Throws for files that cannot be read or

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/bus/log/recording.hpp"
 #include "common/files/file_utils.hpp"
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
@@ -112,6 +113,15 @@ Json journals_json(const EventRecord& events) {
   return lines;
 }
 
+/// Why the recording stopped before the end of the mission; null if it did not say so.
+Json record_stopped_json(const EventRecord& events) {
+  for (const MissionEvent& event : events.events()) {
+    const bool is_health = event.kind == MissionEvent::Kind::kHealth;
+    if (is_health && event.source == Recording::kStage) return event.description;
+  }
+  return {};
+}
+
 /// Figures of a mission as JSON, for summary.json. Values without data in the log are null.
 std::string mission_summary_json(const MissionStatistics& statistics, const EventRecord& events,
                                  const LogInfo& log_info) {
@@ -138,6 +148,7 @@ std::string mission_summary_json(const MissionStatistics& statistics, const Even
       {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
       {"restarts", statistics.restarts},
       {"damaged_journals", journals_json(events)},
+      {"record_stopped", record_stopped_json(events)},
       {"against_truth", truth_json(statistics)},
       {"collision", statistics.failure ? Json(!statistics.failure->empty()) : Json()},
       {"failure", statistics.failure ? Json(*statistics.failure) : Json()},

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstring>
-#include <system_error>
+#include <utility>
 
 #include "common/files/file_error.hpp"
 
@@ -114,6 +113,8 @@ std::optional<LogEventView> LogParser::next() {
 
 namespace {
 
+constexpr std::size_t kBufferBytes = std::size_t{1} << 13;  // a killed process loses so much
+
 void append_big_endian(std::uint64_t value, int bytes, std::string& header) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) {
     header.push_back(static_cast<char>(value >> static_cast<unsigned>(shift)));
@@ -133,29 +134,35 @@ std::string header_of(const LogEventView& event, std::int64_t number) {
 
 }  // namespace
 
-LogWriter::LogWriter(const std::filesystem::path& path, Name name) : path_(path.string()) {
-  if (name == Name::kWhenClosed) new_file_.emplace(path);
-  file_.open(new_file_ ? new_file_->part() : path, std::ios::binary | std::ios::trunc);
-  require_good();
+LogWriter::LogWriter(const std::filesystem::path& path, Name name)
+    : new_file_(name == Name::kWhenClosed ? std::make_optional<NewFile>(path) : std::nullopt),
+      file_(new_file_ ? new_file_->part() : path, path) {}
+
+LogWriter::~LogWriter() {
+  try {
+    flush();
+  } catch (const FileError&) {  // NOLINT(bugprone-empty-catch): see close()
+  }
 }
 
 void LogWriter::write(const LogEventView& event) {
-  file_ << header_of(event, events_) << event.channel;
-  file_.write(reinterpret_cast<const char*>(event.data.data()),
-              static_cast<std::streamsize>(event.data.size()));
-  require_good();
+  buffer_ += header_of(event, events_);
+  buffer_ += event.channel;
+  buffer_.append(reinterpret_cast<const char*>(event.data.data()), event.data.size());
   ++events_;
+  if (buffer_.size() >= kBufferBytes) flush();
+}
+
+/// What cannot be written is dropped, so that a later event does not follow a part of one.
+void LogWriter::flush() {
+  const std::string events = std::exchange(buffer_, {});
+  file_.write(events);
 }
 
 void LogWriter::close() {
+  flush();
   file_.close();
-  require_good();
   if (new_file_) new_file_->publish();
-}
-
-void LogWriter::require_good() const {
-  if (file_) return;
-  throw FileError(path_ + ": cannot write: " + std::generic_category().message(errno));
 }
 
 }  // namespace adit

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "common/files/new_file.hpp"
+#include "common/files/output_file.hpp"
 
 namespace adit {
 
@@ -84,8 +84,9 @@ class LogParser {
   LogHealth health_;
 };
 
-/// Writes an LCM log with events numbered from 0. Throws std::runtime_error with the path if a
-/// write fails; buffered events are known to be written only after `close`.
+/// Writes an LCM log with events numbered from 0. Throws FileError with the path if a write fails,
+/// after which the log ends with an earlier, whole event; buffered events are known to be written
+/// only after `close`.
 class LogWriter {
  public:
   enum class Name {
@@ -95,6 +96,11 @@ class LogWriter {
 
   explicit LogWriter(const std::filesystem::path& path, Name name = Name::kFromStart);
 
+  /// Writes what is buffered, as far as that is possible. Whoever must know calls `close`.
+  ~LogWriter();
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
   void write(const LogEventView& event);
 
   /// Flushes and closes the log.
@@ -103,11 +109,11 @@ class LogWriter {
   [[nodiscard]] std::int64_t events() const { return events_; }
 
  private:
-  void require_good() const;
+  void flush();
 
-  std::string path_;
   std::optional<NewFile> new_file_;
-  std::ofstream file_;
+  OutputFile file_;
+  std::string buffer_;  ///< whole events
   std::int64_t events_ = 0;
 };
 

@@ -49,9 +49,15 @@ class MissionProgressPrinter {
   }
 
   /// Prints the outcome and the run time. `abort_reason` is empty if the mission ended by itself.
-  static void end(const MissionProgress& last, const std::string& abort_reason, double wall_s) {
-    std::cout << fmt::format("\n{}\n",
-                             message_line(abort_reason.empty() ? last.phase.reason : abort_reason))
+  static void end(const MissionProgress& last, const std::string& abort_reason,
+                  const std::string& trace_failure, double wall_s) {
+    for (const std::string& loss : {last.record_stopped, trace_failure}) {
+      if (!loss.empty()) print_error("adit mission", loss);
+    }
+    std::string outcome = abort_reason.empty() ? last.phase.reason : abort_reason;
+    if (const std::string& why = last.phase.return_home_reason; !why.empty())
+      outcome += "; it turned around: " + why;
+    std::cout << fmt::format("\n{}\n", message_line(outcome))
               << fmt::format(
                      "{:.0f} s of simulated time in {:.0f} s; {:.2f} m from the start at "
                      "the end\n",
@@ -92,7 +98,9 @@ During the mission:
 Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
 
 constexpr const char* kMissionExitCodes =
-    "  1  the robot did not return to the start, or is not sure that it did";
+    "  1  the robot did not return to the start, or is not sure that it did; or the recording had "
+    "to\n"
+    "     stop, for want of space on the disk or as it failed";
 
 constexpr const char* kMissionExamples =
     R"(  adit mission mathies --out mission
@@ -112,10 +120,13 @@ void report(const std::filesystem::path& folder) try {
   print_error("adit mission", fmt::format("cannot write the report: {}", error.what()));
 }
 
-/// Throws the exit code of a mission whose robot did not return, or is not sure that it did.
-void require_return(const MissionProgress& last, const std::string& abort_reason) {
+/// Throws the exit code of a mission whose robot did not return, or is not sure that it did, or of
+/// which the disk did not take everything.
+void require_return(const MissionProgress& last, const std::string& abort_reason,
+                    const std::string& trace_failure) {
   const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome;
-  if (!home) throw CLI::RuntimeError(kExitNotReturned);
+  if (!home || !last.record_stopped.empty() || !trace_failure.empty())
+    throw CLI::RuntimeError(kExitNotReturned);
 }
 
 void run_in_process(const MissionLiveOptions& mission) {
@@ -139,9 +150,9 @@ void run_in_process(const MissionLiveOptions& mission) {
                                        ? fmt::format("the run failed: {}", result.failure)
                                    : ended ? ""
                                            : "the time limit is reached";
-  MissionProgressPrinter::end(result.last, abort_reason, result.wall_s);
+  MissionProgressPrinter::end(result.last, abort_reason, result.trace_failure, result.wall_s);
   report(mission.folder);
-  require_return(result.last, abort_reason);
+  require_return(result.last, abort_reason, result.trace_failure);
 }
 
 void run_processes(const MissionLiveOptions& mission) {
@@ -155,9 +166,10 @@ void run_processes(const MissionLiveOptions& mission) {
       mission,
       [&](const MissionProgress& progress, double wall_s) { printer.update(progress, wall_s); },
       [&](const std::string& message) { printer.print_message(message); });
-  MissionProgressPrinter::end(result.last, result.abort_reason, result.wall_s);
+  MissionProgressPrinter::end(result.last, result.abort_reason, result.trace_failure,
+                              result.wall_s);
   if (!result.interrupted) report(folder);
-  require_return(result.last, result.abort_reason);
+  require_return(result.last, result.abort_reason, result.trace_failure);
 }
 
 void run(const MissionOptions& options) {

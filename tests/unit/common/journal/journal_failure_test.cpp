@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,6 +38,39 @@ TEST_F(FailingJournals, AreUnchangedIfARecordDoesNotFit) {
   EXPECT_EQ(read_journal(path_, [&](const JournalRecord&) { ++count; }),
             (JournalHealth{2, 0, 0, 0}));
   EXPECT_EQ(count, 2U);
+}
+
+/// Space in use, including what is reserved.
+std::uint64_t used_bytes(const std::filesystem::path& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_blocks) * 512 : 0;
+}
+
+TEST_F(FailingJournals, HaveTheirSpaceReservedWhileTheyAreOpen) {
+  {
+    Journal journal(path_);
+    journal.append(record(1).first, record(1).second);
+    if (used_bytes(path_) < Journal::kReserveMinBytes)
+      GTEST_SKIP() << "the file system cannot reserve space";
+    EXPECT_GE(used_bytes(journal_copy(path_)), Journal::kReserveMinBytes);
+    EXPECT_LT(std::filesystem::file_size(path_), 1000U);
+    EXPECT_FALSE(read_journal(path_, [](const JournalRecord&) {}).is_damaged());
+    journal.clear();
+    EXPECT_GE(used_bytes(path_), Journal::kReserveMinBytes);
+  }
+  EXPECT_LT(used_bytes(path_), Journal::kReserveMinBytes);
+}
+
+/// After a power loss a file system may have extended the file into the reserved space.
+TEST_F(FailingJournals, AreIntactWithZerosBehindTheirEnd) {
+  (void)append(1, 3);
+  for (const auto& path : {path_, journal_copy(path_)})
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) + 5000);
+  const JournalHealth health = read_journal(path_, [](const JournalRecord&) {});
+  EXPECT_EQ(health.records, 3U);
+  EXPECT_FALSE(health.is_damaged()) << text_of(health);
+  const Journal journal(path_);
+  EXPECT_EQ(journal.damage(), "");
 }
 
 TEST_F(FailingJournals, ReportErrorsOfTheirPath) {

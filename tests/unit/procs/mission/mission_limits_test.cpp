@@ -28,6 +28,15 @@ TEST(MissionLimits, LeavePathLengthThatWasNotTravelled) {
   EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 900.0), 0.0);
 }
 
+TEST(MissionLimits, TurnAroundWhenTheDiskFails) {
+  MissionLimits limits(unlimited());
+  limits.add_disk_failure("");
+  EXPECT_FALSE(limits.reason());
+  limits.add_disk_failure("120 MB free");
+  limits.add_disk_failure("cannot write");
+  EXPECT_EQ(limits.reason(), "120 MB free");
+}
+
 TEST(MissionLimits, LeaveTheRemainingTimeAtTheMeanSpeed) {
   MissionLimitsParams params = unlimited();
   params.time_max_s = 1000.0;

@@ -95,6 +95,8 @@ function wire(): void {
   byId("ruler").onclick = () => setTool("ruler");
   byId("width").onclick = () => setTool("width");
   map.onMeasure = showMeasure;
+  // A popup belongs to a place on the screen, which moves with the map.
+  byId("map").addEventListener("wheel", () => { popup.hidden = true; }, { passive: true });
   document.addEventListener("keydown", (event) => { if (event.key === "Escape") { map.clearTools(); popup.hidden = true; } });
   byId("goto").onsubmit = (event) => {
     event.preventDefault();

@@ -4,6 +4,7 @@ import "./style.css";
 import { byId, clock, el, fixed, kNone, setText } from "./dom";
 import { kLayers, MapView, type Tool } from "./map/map_view";
 import { Panels } from "./panels/panels";
+import { Plots } from "./plots/plots";
 import { loadEmbedded } from "./protocol/embedded";
 import { LiveSource } from "./protocol/live";
 import { Chainage } from "./state/chainage";
@@ -26,6 +27,12 @@ const panels = new Panels(byId("panels"), model, {
   centre(x, y) { showView("map"); map.centre(x, y); },
   call: (service, request) => source?.call(service, request) ?? Promise.reject(new Error("not connected")),
 });
+const plots = new Plots(model, (time_s) => {
+  if (isLog()) { source?.play({ play: model.playback?.status === "playing", speed: model.playback?.speed ?? 1, seek_s: time_s, id: "page" }); return; }
+  viewTime_s = time_s;
+  follow = false;
+});
+byId("panels").append(plots.section);
 const slider = byId("slider") as HTMLInputElement;
 const popup = byId("popup");
 
@@ -241,6 +248,7 @@ function frame(now_ms: number): void {
     guarded("header", () => updateHeader(time_s));
     guarded("panels", () => panels.update(time_s));
     guarded("marks", drawMarks);
+    guarded("plots", () => plots.update(time_s));
     const span = lastTime() - model.start_s;
     if (!dragging && span > 0) slider.value = String(1000 * (time_s - model.start_s) / span);
   }

@@ -7,6 +7,7 @@ import { cloudOf } from "./cloud";
 import { gridOf } from "./grid";
 import { poseOf, type Pose, type Transforms, poseOfYaw, yawOf } from "./pose";
 import { entitiesOf } from "./scene";
+import { Series } from "./series";
 import { Timeline } from "./timeline";
 import { list, num, raw, str, type Raw } from "./values";
 
@@ -96,6 +97,7 @@ export class Model implements Sink {
   history: HistoryRow[] = [];
   events: EventRow[] = [];
   scans = new Map<number, ScanCard>();
+  series = new Map<string, Series>();
   end_s = NaN;
   start_s = NaN;
   revision = 0;
@@ -155,6 +157,7 @@ export class Model implements Sink {
       this.history = [];
       this.events = [];
       this.scans.clear();
+      this.series.clear();
       this.start_s = this.end_s = NaN;
     }
     this.info = info;
@@ -184,6 +187,7 @@ export class Model implements Sink {
     const timeline = this.#byTopic.get(channel.topic);
     if (timeline) {
       timeline.add(time_s, data);
+      if (channel.topic === "/mission" || channel.topic === "/processes") this.#sample(channel, time_s, data);
       // Small ones are decoded at once, so that a malformed one is counted even if no view shows it.
       if (data.length < 64 * 1024 && this.info?.source !== "file") timeline.at(time_s);
       if (channel.topic !== "/summary") this.#reach(time_s);
@@ -234,6 +238,36 @@ export class Model implements Sink {
     if (!(this.end_s >= time_s)) this.end_s = time_s;
   }
 
+  /** Samples for the plots; what cannot be decoded is counted by its timeline. */
+  #sample(channel: { topic: string; decode: Decoder }, time_s: number, data: Uint8Array): void {
+    let message: Raw;
+    try { message = channel.decode(data); } catch { return; }
+    if (channel.topic === "/mission") {
+      this.#add("speed", time_s, num(message.speed_m_s));
+      this.#add("battery", time_s, 100 * num(message.battery_share));
+      this.#add("methane", time_s, 100 * num(message.methane_share));
+      this.#add("oxygen", time_s, 100 * num(message.oxygen_share));
+      this.#add("carbon monoxide", time_s, 1e6 * num(message.carbon_monoxide_share));
+      this.#add("match quality", time_s, num(message.match_quality));
+      this.#add("position sd", time_s, num(message.position_sd_m));
+      return;
+    }
+    for (const computer of list(message.computers)) {
+      for (const entry of list(raw(computer).processes)) {
+        const process = raw(entry);
+        this.#add(`cpu ${str(process.name)}`, time_s, 100 * num(process.cpu_share));
+        this.#add(`memory ${str(process.name)}`, time_s, num(process.memory_bytes) / 1048576);
+      }
+    }
+  }
+
+  #add(key: string, time_s: number, value: number): void {
+    if (!Number.isFinite(value)) return;
+    let series = this.series.get(key);
+    if (!series && this.series.size < 200) this.series.set(key, (series = new Series()));
+    series?.add(time_s, value);
+  }
+
   #append(topic: string, message: Raw, time_s: number): void {
     if (topic === "/history") {
       const rows = Array.isArray(message) ? message : list(message.rows);
@@ -245,6 +279,10 @@ export class Model implements Sink {
           time_s: time, x: num(row[1]), y: num(row[2]), z: num(row[3], 0), heading_rad: num(row[4], 0), speed_m_s: num(row[5]),
           battery_share: num(row[6]), position_sd_m: num(row[7]), methane_share: num(row[8]), phase: str(row[9]),
         }, () => true);
+        this.#add("speed", time, num(row[5]));
+        this.#add("battery", time, 100 * num(row[6]));
+        this.#add("position sd", time, num(row[7]));
+        this.#add("methane", time, 100 * num(row[8]));
         this.#reach(time);
       }
       if (this.history.length > kHistoryLimit) this.history = this.history.filter((_, i) => i % 2 === 0 || i > kHistoryLimit / 2);

@@ -159,6 +159,12 @@ await check("file: zoom and layers change the map", async () => {
   expect(!first.equals(second) && !second.equals(third), "no change");
   await page.screenshot({ path: join(shots, "layers.png") });
 });
+await check("file: plots are drawn", async () => {
+  await page.locator("#panel-plots").scrollIntoViewIfNeeded();
+  await until("plots", async () => (await page.locator("#panel-plots .uplot").count()) >= 5);
+  await page.locator("#panel-plots .u-over").first().click();
+  await page.screenshot({ path: join(shots, "plots.png") });
+});
 await check("file: 3D renders points", async () => {
   await page.locator("[data-view=volume]").click();
   await until("points", async () => /^[1-9]\d* points/.test(await text(page, "volume-status")));

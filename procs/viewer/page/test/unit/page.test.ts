@@ -8,6 +8,7 @@ import { decodePlaybackState, encodePlaybackRequest } from "../../src/protocol/p
 import { readRecords } from "../../src/protocol/embedded";
 import { Chainage } from "../../src/state/chainage";
 import { Model } from "../../src/state/model";
+import { Series } from "../../src/state/series";
 import { Timeline } from "../../src/state/timeline";
 import { frontiersOf, hazardsOf } from "../../src/state/scene";
 import { embeddedBytes } from "../synthetic/embed";
@@ -78,6 +79,16 @@ describe("timeline", () => {
     timeline.add(2, bytes(2));
     expect([timeline.at(3)!.value, timeline.at(3)!.value, bad]).toEqual([1, 1, 1]);
     expect(timeline.at(0)).toBeNull();
+  });
+});
+
+describe("series", () => {
+  it("is bounded and keeps extremes of old samples", () => {
+    const series = new Series(64);
+    for (let t = 0; t < 1000; ++t) series.add(t, t === 7 ? 99 : t === 9 ? -99 : Math.sin(t));
+    expect(series.t.length).toBeLessThanOrEqual(64);
+    expect([Math.max(...series.v), Math.min(...series.v)]).toEqual([99, -99]);
+    expect(series.t).toEqual([...series.t].sort((a, b) => a - b));
   });
 });
 

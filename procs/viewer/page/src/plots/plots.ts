@@ -47,9 +47,9 @@ export class Plots {
   #create(host: HTMLElement, title: string, keys: string[], data: uPlot.AlignedData): uPlot {
     const axis = { stroke: colour("soft"), grid: { stroke: colour("line"), width: 1 }, ticks: { stroke: colour("line") }, font: "10px system-ui" };
     const plot = new uPlot({
-      title, width: Math.max(200, this.section.clientWidth - 26), height: keys.length > 1 ? 150 : 95, legend: { show: keys.length > 1 },
+      title, width: Math.max(200, this.section.clientWidth - 26), height: keys.length > 1 ? 160 : 105, legend: { show: keys.length > 1 },
       cursor: { sync: { key: "adit" }, drag: { x: false, y: false } },
-      axes: [{ ...axis, size: 22, values: (_u, ticks) => ticks.map((t) => `${((t - this.model.start_s) / 60).toFixed(1)} min`) }, { ...axis, size: 44 }],
+      axes: [{ ...axis, size: 32, values: (_u, ticks) => ticks.map((t) => `${((t - this.model.start_s) / 60).toFixed(1)} min`) }, { ...axis, size: 44 }],
       series: [{}, ...keys.map((key, i) => ({ label: key.replace(/^(cpu|memory) /, ""), stroke: colour(kColours[i % kColours.length]!), width: 1.2, spanGaps: true, points: { show: false } }))],
       hooks: { draw: [(u) => {
         const x = u.valToPos(this.#time_s, "x", true);

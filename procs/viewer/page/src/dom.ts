@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Elements and texts; texts of messages never become markup. */
+export type Child = Node | string | null;
+
+export function el<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Record<string, string> = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  for (const child of children) if (child !== null) element.append(child);
+  return element;
+}
+
+export function byId(id: string): HTMLElement {
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`page without #${id}`);
+  return element;
+}
+
+export function setText(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+export function table(head: string[], rows: Child[][]): HTMLTableElement {
+  const cells = (tag: "th" | "td", values: Child[]) => el("tr", {}, ...values.map((value) => el(tag, {}, value)));
+  return el("table", {}, el("thead", {}, cells("th", head)), el("tbody", {}, ...rows.map((row) => cells("td", row))));
+}
+
+export const kNone = "–";
+
+export function fixed(value: number | null, digits: number, unit = ""): string {
+  return value === null || !Number.isFinite(value) ? kNone : `${value.toFixed(digits)}${unit ? ` ${unit}` : ""}`;
+}
+
+/** h:mm:ss of a duration in seconds. */
+export function clock(duration_s: number): string {
+  if (!Number.isFinite(duration_s)) return kNone;
+  const s = Math.max(0, Math.floor(duration_s));
+  const two = (n: number) => String(n).padStart(2, "0");
+  return `${Math.floor(s / 3600)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
+}

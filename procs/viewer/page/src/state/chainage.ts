@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Distance along the outbound trajectory, by which places underground are named. */
+import type { Entity } from "./scene";
+
+export class Chainage {
+  #along: number[] = [];
+  constructor(private readonly xyz: Float64Array) {
+    let sum = 0;
+    for (let i = 0; i < xyz.length; i += 3) {
+      if (i > 0) sum += Math.hypot(xyz[i]! - xyz[i - 3]!, xyz[i + 1]! - xyz[i - 2]!);
+      this.#along.push(sum);
+    }
+  }
+  static of(trajectory: Entity[]): Chainage | null {
+    const line = trajectory.find((entity) => entity.id === "outbound")?.lines[0];
+    return line && line.xyz.length >= 6 ? new Chainage(line.xyz) : null;
+  }
+  get length_m(): number { return this.#along[this.#along.length - 1] ?? 0; }
+
+  pointAt(distance_m: number): [number, number] | null {
+    if (!(distance_m >= 0) || distance_m > this.length_m) return null;
+    const i = this.#along.findIndex((along) => along >= distance_m);
+    if (i <= 0) return [this.xyz[0]!, this.xyz[1]!];
+    const share = (distance_m - this.#along[i - 1]!) / (this.#along[i]! - this.#along[i - 1]!);
+    const at = (k: number) => this.xyz[3 * (i - 1) + k]! + share * (this.xyz[3 * i + k]! - this.xyz[3 * (i - 1) + k]!);
+    return [at(0), at(1)];
+  }
+
+  nearest(x: number, y: number): { distance_m: number; offset_m: number } {
+    let best = { distance_m: 0, offset_m: Infinity };
+    for (let i = 3; i < this.xyz.length; i += 3) {
+      const ax = this.xyz[i - 3]!, ay = this.xyz[i - 2]!;
+      const dx = this.xyz[i]! - ax, dy = this.xyz[i + 1]! - ay;
+      const length2 = dx * dx + dy * dy;
+      const share = length2 > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / length2)) : 0;
+      const offset_m = Math.hypot(x - ax - share * dx, y - ay - share * dy);
+      if (offset_m < best.offset_m) best = { distance_m: this.#along[i / 3 - 1]! + share * Math.sqrt(length2), offset_m };
+    }
+    return best;
+  }
+}

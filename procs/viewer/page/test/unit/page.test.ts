@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+import { describe, expect, it } from "vitest";
+import { Labels } from "../../src/map/labels";
+import { Camera, roundStep } from "../../src/map/camera";
+import { widthAt } from "../../src/map/width";
+import { decodePlaybackState, encodePlaybackRequest } from "../../src/protocol/playback";
+import { readRecords } from "../../src/protocol/embedded";
+import { Chainage } from "../../src/state/chainage";
+import { Model } from "../../src/state/model";
+import { Series } from "../../src/state/series";
+import { Timeline } from "../../src/state/timeline";
+import { frontiersOf, hazardsOf } from "../../src/state/scene";
+import { embeddedBytes } from "../synthetic/embed";
+import { kDriftWidth_m, kDuration_s, kStart_s, kTunnelWidth_m, robotAt } from "../synthetic/mine";
+
+const model = new Model();
+readRecords(embeddedBytes(), model);
+const kEnd_s = kStart_s + kDuration_s;
+
+describe("a mission in a file", () => {
+  it("is decoded by its advertised schemas", () => {
+    expect(model.faultCount).toBe(0);
+    expect([model.start_s, model.end_s]).toEqual([kStart_s, kEnd_s]);
+    expect(model.history.length).toBe(kDuration_s + 1);
+    expect(frontiersOf(model.frontiers.at(kEnd_s)!.value).map((f) => f.state)).toContain("too narrow");
+    const water = hazardsOf(model.hazards.at(kEnd_s)!.value).find((h) => h.kind === "water")!;
+    expect([water.x, water.value, water.unit]).toEqual([106, "0.45", "m"]);
+    expect(model.volume.at(kEnd_s)!.value.count).toBe(30000);
+  });
+  it("has the robot where it was at each time", () => {
+    for (const t of [0, 33.5, 99, 150]) expect(model.robotAt(kStart_s + t)!.x).toBeCloseTo(robotAt(t).x, 6);
+  });
+  it("is used up to a damaged end", () => {
+    const part = new Model();
+    readRecords(embeddedBytes().subarray(0, -7), part);
+    expect(part.faultCount).toBe(1);
+    expect(part.history.length).toBe(kDuration_s + 1);
+  });
+});
+
+describe("width", () => {
+  const grid = model.map.at(kEnd_s)!.value;
+  it("is that of the tunnel, off its axis too", () => {
+    // The mine is aligned with the cells, so no cell is lost; 1 degree of direction adds less than 1 mm.
+    for (const y of [0.04, -1.3, 1.7]) expect(widthAt(grid, 30, y)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
+    expect(widthAt(grid, 60.3, 20)!.width_m).toBeCloseTo(kDriftWidth_m, 2);
+  });
+  it("is none in walls and unknown ground", () => {
+    expect(widthAt(grid, 30, 2.15)).toBeNull();
+    expect(widthAt(grid, 30, 20)).toBeNull();
+  });
+});
+
+describe("chainage", () => {
+  const line = new Chainage(Float64Array.from([0, 0, 0, 10, 0, 0, 10, 5, 0]));
+  it("goes along the line", () => {
+    expect(line.length_m).toBe(15);
+    expect(line.pointAt(12)).toEqual([10, 2]);
+    expect(line.pointAt(16)).toBeNull();
+  });
+  it("finds the nearest point", () => {
+    expect(line.nearest(11, 3)).toEqual({ distance_m: 13, offset_m: 1 });
+  });
+});
+
+describe("timeline", () => {
+  const bytes = (n: number) => new Uint8Array(n);
+  it("stays within its budget and keeps first and last", () => {
+    const timeline = new Timeline((data) => data.length, 1000, () => {});
+    for (let t = 0; t < 500; ++t) timeline.add(t, bytes(100));
+    expect(timeline.size).toBeLessThanOrEqual(1000);
+    expect([timeline.first_s, timeline.last_s]).toEqual([0, 499]);
+  });
+  it("counts what cannot be decoded once and shows what precedes it", () => {
+    let bad = 0;
+    const timeline = new Timeline((data) => { if (data.length === 2) throw new Error(); return data.length; }, 1000, () => ++bad);
+    timeline.add(1, bytes(1));
+    timeline.add(2, bytes(2));
+    expect([timeline.at(3)!.value, timeline.at(3)!.value, bad]).toEqual([1, 1, 1]);
+    expect(timeline.at(0)).toBeNull();
+  });
+});
+
+describe("series", () => {
+  it("is bounded and keeps extremes of old samples", () => {
+    const series = new Series(64);
+    for (let t = 0; t < 1000; ++t) series.add(t, t === 7 ? 99 : t === 9 ? -99 : Math.sin(t));
+    expect(series.t.length).toBeLessThanOrEqual(64);
+    expect([Math.max(...series.v), Math.min(...series.v)]).toEqual([99, -99]);
+    expect(series.t).toEqual([...series.t].sort((a, b) => a - b));
+  });
+});
+
+describe("map", () => {
+  it("zooms about the pointer", () => {
+    const camera = new Camera();
+    [camera.width, camera.height] = [800, 600];
+    const before = camera.toMap(100, 50);
+    camera.zoom(3, 100, 50);
+    camera.toMap(100, 50).forEach((v, i) => expect(v).toBeCloseTo(before[i]!, 9));
+  });
+  it("places no label on another", () => {
+    const labels = new Labels();
+    expect([labels.take(0, 0, 10, 10), labels.take(5, 5, 10, 10), labels.take(10, 0, 10, 10)]).toEqual([true, false, true]);
+  });
+  it("steps in 1, 2, 5", () => { expect([roundStep(7), roundStep(0.3), roundStep(13)]).toEqual([5, 0.2, 10]); });
+});
+
+describe("playback", () => {
+  it("has the bytes of the protocol", () => {
+    const request = encodePlaybackRequest({ play: false, speed: 2, seek_s: 1.5, id: "a" });
+    expect([...request]).toEqual([3, 1, 0, 0, 0, 64, 1, 0, 47, 104, 89, 0, 0, 0, 0, 1, 0, 0, 0, 97]);
+    expect(decodePlaybackState(Uint8Array.from([5, 1, 0, 47, 104, 89, 0, 0, 0, 0, 0, 0, 0, 64, 0, 0, 0, 0]))).toEqual({ status: "paused", current_s: 1.5, speed: 2 });
+    expect(() => decodePlaybackState(Uint8Array.from([5, 9]))).toThrow();
+  });
+});

@@ -104,9 +104,11 @@ TEST(Structure, StagesDoNotIncludeEachOther) {
 
 TEST(Structure, DependenciesFollowTheLayers) {
   EXPECT_THAT(offenders([](const Include& include) {
-                const bool of_tools = include.is_of("tools") || include.is_of("tests");
+                const bool of_tools =
+                    include.is_of("tools") || include.is_of("viewer") || include.is_of("tests");
                 const bool of_ends = include.is_of("procs") || include.is_of("sim") || of_tools;
                 return (include.is_in("common") && of_ends) ||
+                       (include.is_in("viewer") && of_ends && !include.is_of("viewer")) ||
                        (include.is_in("procs") && (include.is_of("sim") || of_tools)) ||
                        (include.is_in("sim") && (include.is_of("procs") || of_tools)) ||
                        (include.is_in("tools") && include.is_of("tests"));

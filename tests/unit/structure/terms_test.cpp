@@ -106,10 +106,16 @@ std::vector<fs::path> texts() {
   for (const char* name : {"README.md", "CONTRIBUTING.md"}) {
     paths.push_back(adit::source_root() / name);
   }
-  for (const char* folder :
-       {"common", "procs", "sim", "tools", "tests", "lcmtypes", "deploy", "docs", "cmake"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(adit::source_root() / folder)) {
-      if (entry.is_regular_file() && is_text(entry.path())) paths.push_back(entry.path());
+  for (const char* folder : {"common", "procs", "sim", "tools", "viewer", "tests", "lcmtypes",
+                             "deploy", "docs", "cmake"}) {
+    auto entries = fs::recursive_directory_iterator(adit::source_root() / folder);
+    for (const auto& entry : entries) {
+      const std::string name = entry.path().filename().string();
+      if (name == "node_modules" || name == "dist") {  // of others, and generated
+        entries.disable_recursion_pending();
+      } else if (entry.is_regular_file() && is_text(entry.path())) {
+        paths.push_back(entry.path());
+      }
     }
   }
   return paths;

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 

@@ -71,8 +71,8 @@ int listen_on(const std::string& address, std::uint16_t port) {
 
 class ViewerServer::Implementation {
  public:
-  Implementation(const ViewerServerOptions& options, foxglove_protocol::ServerInfo info,
-                 std::vector<Topic> topics, std::vector<foxglove_protocol::Service> services,
+  Implementation(const ViewerServerOptions& options, const foxglove_protocol::ServerInfo& info,
+                 std::vector<Topic> topics, const std::vector<foxglove_protocol::Service>& services,
                  Handlers handlers);
 
   void poll() {
@@ -369,10 +369,11 @@ void ViewerServer::Implementation::Request::respond(http::status status, std::st
   response_.set(http::field::content_type, beast::string_view(type.data(), type.size()));
   response_.set(http::field::cache_control, "no-store");
   response_.set("X-Content-Type-Options", "nosniff");
-  response_.set("Content-Security-Policy",
-                "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; "
-                "img-src data: blob:; worker-src blob:; connect-src ws: wss:; "
-                "frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
+  response_.set(
+      "Content-Security-Policy",
+      "default-src 'none'; script-src 'unsafe-inline' 'unsafe-eval'; style-src 'unsafe-inline'; "
+      "img-src data: blob:; worker-src blob:; connect-src ws: wss:; "
+      "frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
   response_.keep_alive(false);
   response_.content_length(text.size());
   if (has_body) response_.body() = std::move(text);
@@ -383,11 +384,10 @@ void ViewerServer::Implementation::Request::respond(http::status status, std::st
   });
 }
 
-ViewerServer::Implementation::Implementation(const ViewerServerOptions& options,
-                                             foxglove_protocol::ServerInfo info,
-                                             std::vector<Topic> topics,
-                                             std::vector<foxglove_protocol::Service> services,
-                                             Handlers handlers)
+ViewerServer::Implementation::Implementation(
+    const ViewerServerOptions& options, const foxglove_protocol::ServerInfo& info,
+    std::vector<Topic> topics, const std::vector<foxglove_protocol::Service>& services,
+    Handlers handlers)
     : allowed_origins_(options.allowed_origins),
       page_(options.page),
       greeting_(foxglove_protocol::server_info_text(info)),
@@ -432,11 +432,12 @@ void ViewerServer::Implementation::publish_binary(const std::string& bytes) {
   for (Client* const client : std::set<Client*>(clients_)) client->send_binary(bytes);
 }
 
-ViewerServer::ViewerServer(const ViewerServerOptions& options, foxglove_protocol::ServerInfo info,
-                           std::vector<Topic> topics,
-                           std::vector<foxglove_protocol::Service> services, Handlers handlers)
-    : implementation_(std::make_unique<Implementation>(options, std::move(info), std::move(topics),
-                                                       std::move(services), std::move(handlers))) {}
+ViewerServer::ViewerServer(const ViewerServerOptions& options,
+                           const foxglove_protocol::ServerInfo& info, std::vector<Topic> topics,
+                           const std::vector<foxglove_protocol::Service>& services,
+                           Handlers handlers)
+    : implementation_(std::make_unique<Implementation>(options, info, std::move(topics), services,
+                                                       std::move(handlers))) {}
 
 ViewerServer::~ViewerServer() = default;
 

@@ -51,8 +51,8 @@ class ViewerServer {
 
   /// Throws std::runtime_error if the port cannot be used. A missing handler is a missing
   /// capability; `info` must not state it.
-  ViewerServer(const ViewerServerOptions& options, foxglove_protocol::ServerInfo info,
-               std::vector<Topic> topics, std::vector<foxglove_protocol::Service> services,
+  ViewerServer(const ViewerServerOptions& options, const foxglove_protocol::ServerInfo& info,
+               std::vector<Topic> topics, const std::vector<foxglove_protocol::Service>& services,
                Handlers handlers);
   ~ViewerServer();
   ViewerServer(const ViewerServer&) = delete;

@@ -8,17 +8,18 @@ namespace adit {
 
 SubscriptionId StopwatchBus::subscribe(std::string_view channel, Delivery delivery,
                                        Handler handler) {
-  if (!channels_.contains(channel)) return bus_.subscribe(channel, delivery, std::move(handler));
-  return bus_.subscribe(channel, delivery,
-                        [this, handler = std::move(handler)](const ReceivedMessage& received) {
-                          const auto start = std::chrono::steady_clock::now();
-                          answered_ = false;
-                          const std::string_view rejection = handler(received);
-                          const std::chrono::duration<double, std::milli> taken =
-                              std::chrono::steady_clock::now() - start;
-                          handled_.push_back({taken.count(), answered_});
-                          return rejection;
-                        });
+  if (!channels_.contains(channel))
+    return ForwardingBus::subscribe(channel, delivery, std::move(handler));
+  return ForwardingBus::subscribe(
+      channel, delivery, [this, handler = std::move(handler)](const ReceivedMessage& received) {
+        const auto start = std::chrono::steady_clock::now();
+        answered_ = false;
+        const std::string_view rejection = handler(received);
+        const std::chrono::duration<double, std::milli> taken =
+            std::chrono::steady_clock::now() - start;
+        handled_.push_back({taken.count(), answered_});
+        return rejection;
+      });
 }
 
 std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only) {

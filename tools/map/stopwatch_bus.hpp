@@ -11,14 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/forwarding_bus.hpp"
 
 namespace adit {
 
 /// Decorates the bus of a stage: measures the wall time of the stage for each message of some
 /// channels, including decoding and publishing. The times do not affect messages, which must be
 /// reproducible.
-class StopwatchBus final : public Bus {
+class StopwatchBus final : public ForwardingBus {
  public:
   struct Handled {
     double ms = 0.0;
@@ -26,26 +26,18 @@ class StopwatchBus final : public Bus {
   };
 
   StopwatchBus(Bus& bus, std::set<std::string, std::less<>> channels)
-      : bus_(bus), channels_(std::move(channels)) {}
+      : ForwardingBus(bus), channels_(std::move(channels)) {}
 
   /// Messages of these channels, in order.
   [[nodiscard]] const std::vector<Handled>& handled() const { return handled_; }
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override {
     answered_ = true;
-    bus_.publish(channel, bytes);
+    ForwardingBus::publish(channel, bytes);
   }
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void create_timer(std::int64_t period_us, TimerHandler handler) override {
-    bus_.create_timer(period_us, std::move(handler));
-  }
-  [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
-  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override {
-    return bus_.stats(id);
-  }
 
  private:
-  Bus& bus_;
   std::set<std::string, std::less<>> channels_;
   std::vector<Handled> handled_;
   bool answered_ = false;

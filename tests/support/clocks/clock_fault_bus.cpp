@@ -43,12 +43,12 @@ std::string ClockFault::text() const {
 }
 
 ClockFaultBus::ClockFaultBus(Bus& bus, ClockFault fault, std::int64_t start_utime)
-    : bus_(bus), fault_(std::move(fault)), start_utime_(start_utime) {
+    : ForwardingBus(bus), fault_(std::move(fault)), start_utime_(start_utime) {
   for (const std::string& channel : fault_.channels) channels_.push_back({channel});
 }
 
 double ClockFaultBus::now_s() const {
-  return 1e-6 * static_cast<double>(bus_.now_utime() - start_utime_);
+  return 1e-6 * static_cast<double>(now_utime() - start_utime_);
 }
 
 bool ClockFaultBus::is_active(const Channel& channel) const {
@@ -73,29 +73,16 @@ std::int64_t ClockFaultBus::faulty_utime(const Channel& channel, std::int64_t ut
 
 void ClockFaultBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
   const auto found = std::ranges::find(channels_, channel, &Channel::name);
-  if (found == channels_.end()) return bus_.publish(channel, bytes);
+  if (found == channels_.end()) return ForwardingBus::publish(channel, bytes);
   if (!is_active(*found)) {
     if (!found->has_failed) found->last_utime = stamp_of(bytes);
-    return bus_.publish(channel, bytes);
+    return ForwardingBus::publish(channel, bytes);
   }
   std::vector<std::uint8_t> stamped(bytes.begin(), bytes.end());
   set_stamp(stamped, faulty_utime(*found, stamp_of(bytes)));
   found->has_failed = true;
   ++changed_;
-  bus_.publish(channel, stamped);
-}
-
-SubscriptionId ClockFaultBus::subscribe(std::string_view channel, Delivery delivery,
-                                        Handler handler) {
-  return bus_.subscribe(channel, delivery, std::move(handler));
-}
-
-void ClockFaultBus::create_timer(std::int64_t period_us, TimerHandler handler) {
-  bus_.create_timer(period_us, std::move(handler));
-}
-
-void ClockFaultBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {
-  bus_.create_wall_timer(period_us, std::move(handler));
+  ForwardingBus::publish(channel, stamped);
 }
 
 std::optional<double> ClockFaultBus::ended_s() const {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/forwarding_bus.hpp"
 
 namespace adit::test {
 
@@ -37,22 +37,12 @@ struct ClockFault {
 /// Fault injection: a bus between drivers and stages that changes the time stamps of what is
 /// published on some channels; its arrival is unchanged. Forwards everything else. Of a message
 /// only the bytes of the stamp change: by the conventions of lcmtypes it is the first field.
-class ClockFaultBus final : public Bus {
+class ClockFaultBus final : public ForwardingBus {
  public:
   /// `bus` must outlive this. `start_utime`: bus time at the start of the run.
   ClockFaultBus(Bus& bus, ClockFault fault, std::int64_t start_utime);
-  ClockFaultBus(const ClockFaultBus&) = delete;
-  ClockFaultBus& operator=(const ClockFaultBus&) = delete;
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
-  SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void create_timer(std::int64_t period_us, TimerHandler handler) override;
-  void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
-  [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
-  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override {
-    return bus_.stats(id);
-  }
-  [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }
 
   /// Messages whose stamp was changed.
   [[nodiscard]] std::int64_t changed() const { return changed_; }
@@ -70,7 +60,6 @@ class ClockFaultBus final : public Bus {
   [[nodiscard]] bool is_active(const Channel& channel) const;
   [[nodiscard]] std::int64_t faulty_utime(const Channel& channel, std::int64_t utime) const;
 
-  Bus& bus_;
   ClockFault fault_;
   std::int64_t start_utime_;
   std::vector<Channel> channels_;

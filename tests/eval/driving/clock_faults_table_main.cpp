@@ -16,6 +16,7 @@
 
 #include "tests/eval/markdown.hpp"
 #include "tests/support/clocks/clock_fault_mission.hpp"
+#include "tests/support/scores/outcome_name.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -28,22 +29,6 @@ struct Options {
   std::optional<int> only;
 };
 
-const char* name_of(MissionOutcome outcome) {
-  switch (outcome) {
-    case MissionOutcome::kInProgress:
-      return "timed out";
-    case MissionOutcome::kHome:
-      return "home";
-    case MissionOutcome::kStopped:
-      return "stopped";
-    case MissionOutcome::kStranded:
-      return "stranded";
-    case MissionOutcome::kHomeUncertain:
-      return "home uncertain";
-  }
-  return "";
-}
-
 std::string seconds_text(const std::optional<double>& time_s) {
   return time_s ? format("%.2f", *time_s) : "–";
 }
@@ -55,7 +40,7 @@ struct Sums {
 
   void add(const test::ClockFaultCase& fault_case, const test::ClockFaultResult& result) {
     ++missions;
-    ++outcomes[name_of(result.outcome)];
+    ++outcomes[test::outcome_name(result.outcome)];
     const bool has_fault = fault_case.fault.kind != test::ClockFault::Kind::kNone;
     without_effect += has_fault && result.changed == 0 ? 1 : 0;
     reported += result.reported.empty() ? 0 : 1;
@@ -75,7 +60,7 @@ bool is_chosen(const test::ClockFaultCase& fault_case, const Options& options) {
 
 void print(const test::ClockFaultCase& fault_case, const test::ClockFaultResult& result) {
   const std::string reported = result.reported.empty() ? "–" : result.reported;
-  std::string outcome = name_of(result.outcome);
+  std::string outcome = test::outcome_name(result.outcome);
   if (result.outcome != MissionOutcome::kHome) outcome += ": " + result.reason;
   if (!result.failure.empty()) outcome = "failed: " + result.failure;
   std::cout << fmt::format(

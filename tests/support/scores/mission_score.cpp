@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/robots/exploring_robot.hpp"
+#include "tests/support/scores/outcome_name.hpp"
 #include "tools/eval/level_consistency.hpp"
 #include "tools/eval/map_consistency.hpp"
 #include "tools/eval/trajectory_score.hpp"
@@ -38,16 +39,7 @@ Vehicle vehicle_with_margin() {
 std::string outcome_of(const MissionLog& log) {
   if (!log.failure.empty()) return "failed";
   if (log.phases.empty() || log.phases.back().phase != Phase::kEnded) return "timed out";
-  switch (log.phases.back().outcome) {
-    case MissionOutcome::kHome:
-      return "home";
-    case MissionOutcome::kHomeUncertain:
-      return "home uncertain";
-    case MissionOutcome::kStopped:
-      return "stopped";
-    default:
-      return "stranded";
-  }
+  return outcome_name(log.phases.back().outcome);
 }
 
 void add_phases(const MissionLog& log, MissionScore& score) {

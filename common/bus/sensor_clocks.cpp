@@ -46,6 +46,10 @@ std::int64_t SensorClocks::Run::ahead_max_us() const {
   return std::min(kGapMaxUs, kJitterUs + kAheadSteps * *middle);
 }
 
+bool SensorClocks::Run::continues(std::int64_t now_utime) const {
+  return length > 0 && std::abs(now_utime - last_arrival_utime) <= kContinuesUs;
+}
+
 void SensorClocks::Run::add(std::int64_t utime, std::int64_t arrival_utime) {
   const std::int64_t previous_offset_us = std::exchange(offset_us, utime - arrival_utime);
   if (length == 0) {
@@ -116,8 +120,7 @@ bool SensorClocks::is_ahead(const std::string& channel, std::int64_t utime,
   if (offset_us <= accepted.earliest_offset_us + ahead_max_us) return false;
   return std::ranges::none_of(channels_, [&](const auto& entry) {
     const Run& other = entry.second.accepted;
-    return entry.first != channel && other.length > 0 &&
-           std::abs(arrival_utime - other.last_arrival_utime) <= kContinuesUs &&
+    return entry.first != channel && other.continues(arrival_utime) &&
            offset_us <= other.offset_us + ahead_max_us;
   });
 }
@@ -134,8 +137,7 @@ std::optional<std::int64_t> SensorClocks::ahead_of_others_us(const std::string& 
   std::optional<std::int64_t> ahead_us;
   const std::int64_t own_us = channels_.find(channel)->second.accepted.earliest_offset_us;
   for (const auto& [name, other] : channels_) {
-    const bool continues = other.accepted.length > 0 &&
-                           std::abs(now_utime - other.accepted.last_arrival_utime) <= kContinuesUs;
+    const bool continues = other.accepted.continues(now_utime);
     if (name == channel && !continues) return std::nullopt;
     if (name == channel || !continues) continue;
     const std::int64_t difference_us = own_us - other.accepted.earliest_offset_us;
@@ -146,9 +148,7 @@ std::optional<std::int64_t> SensorClocks::ahead_of_others_us(const std::string& 
 
 bool SensorClocks::others_continue(const std::string& channel, std::int64_t now_utime) const {
   return std::ranges::any_of(channels_, [&](const auto& entry) {
-    const Run& accepted = entry.second.accepted;
-    return entry.first != channel && accepted.length > 0 &&
-           std::abs(now_utime - accepted.last_arrival_utime) <= kContinuesUs;
+    return entry.first != channel && entry.second.accepted.continues(now_utime);
   });
 }
 
@@ -158,10 +158,7 @@ std::string SensorClocks::fault(std::int64_t now_utime) const {
       return fmt::format("the clock of {} stands still", name);
     }
     const Run& rejected = channel.rejected;
-    if (rejected.length < kLastingLength ||
-        std::abs(now_utime - rejected.last_arrival_utime) > kContinuesUs) {
-      continue;
-    }
+    if (rejected.length < kLastingLength || !rejected.continues(now_utime)) continue;
     const double off_s =
         1e-6 * static_cast<double>(rejected.offset_us - channel.accepted.on_time_offset_us);
     return fmt::format("the clock of {} is {:.1f} s {}", name, std::abs(off_s),

@@ -62,6 +62,8 @@ class SensorClocks {
     [[nodiscard]] bool agrees_with(std::int64_t utime, std::int64_t arrival_utime) const;
     /// How far a stamp may be ahead of those before, by the usual step between two.
     [[nodiscard]] std::int64_t ahead_max_us() const;
+    /// Whether a measurement arrived within the last two seconds.
+    [[nodiscard]] bool continues(std::int64_t now_utime) const;
     void add(std::int64_t utime, std::int64_t arrival_utime);
   };
   struct Channel {

@@ -421,15 +421,15 @@ void ViewerServer::Implementation::accept() {
 }
 
 void ViewerServer::Implementation::publish(TopicId topic, const TopicMessage& message) {
-  for (Client* const client : std::set<Client*>(clients_)) client->send(topic, message);
+  for (Client* const client : clients_) client->send(topic, message);
 }
 
 void ViewerServer::Implementation::publish_time(std::int64_t time_ns) {
-  for (Client* const client : std::set<Client*>(clients_)) client->send_time(time_ns);
+  for (Client* const client : clients_) client->send_time(time_ns);
 }
 
 void ViewerServer::Implementation::publish_binary(const std::string& bytes) {
-  for (Client* const client : std::set<Client*>(clients_)) client->send_binary(bytes);
+  for (Client* const client : clients_) client->send_binary(bytes);
 }
 
 ViewerServer::ViewerServer(const ViewerServerOptions& options,

@@ -28,7 +28,7 @@ void Recording::check_space(std::int64_t utime) {
   stopped_ = "the recording has stopped: " + shortage;
   const LogEvent last = heartbeat(utime);
   write({last.utime, last.channel, last.data});
-  if (log_) stop(shortage);
+  close();
 }
 
 void Recording::stop(const std::string& reason) {

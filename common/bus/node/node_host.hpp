@@ -8,80 +8,16 @@
 #include <optional>
 #include <ostream>
 #include <set>
-#include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/bus/node/stage_bus.hpp"
 #include "common/config/config.hpp"
 #include "common/messages/diagnostics.hpp"
 
 namespace adit {
-
-/// The bus of one stage: forwards to a shared bus and records the stage's subscriptions, so that
-/// stages on one bus report their own statistics. Optionally measures handler times, for stages
-/// that run on the wall clock.
-///
-/// An exception of a handler or timer ends here, as the last defence against what a message may
-/// cause: the message counts as rejected, and `failures` says what failed. What the stage knows may
-/// be half changed, so handlers check a message before they use it. A FileError or
-/// std::system_error passes, since the stage cannot work without its files and devices, and a
-/// NodeEnd.
-class StageBus final : public Bus {
- public:
-  static constexpr std::string_view kHandlerFailed = "the handler failed";
-
-  struct Failures {
-    std::int64_t count = 0;
-    std::string last;  ///< channel, or "a timer", and what failed
-  };
-
-  struct HandlerTimes {
-    std::int64_t calls = 0;
-    double total_ms = 0.0;
-    double max_ms = 0.0;
-  };
-
-  enum class Measure { kNothing, kHandlerTimes };
-
-  StageBus(Bus& bus, Measure measure) : bus_(bus), measure_(measure) {}
-
-  /// The subscriptions of the stage in the order of creation.
-  [[nodiscard]] const std::vector<SubscriptionId>& subscriptions() const { return subscriptions_; }
-
-  /// Handler times since the last call, one for each of `subscriptions()`; zero calls without
-  /// measurement.
-  std::vector<HandlerTimes> take_handler_times();
-
-  /// Exceptions of handlers and timers since the start.
-  [[nodiscard]] const Failures& failures() const { return failures_; }
-
-  void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
-  SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void create_timer(std::int64_t period_us, TimerHandler handler) override;
-  void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
-  [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
-  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
-  [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }
-  [[nodiscard]] std::int64_t without_valid_seal() const override {
-    return bus_.without_valid_seal();
-  }
-
- private:
-  Handler with_timing(Handler handler);
-  Handler contained(std::string_view channel, Handler handler);
-  TimerHandler contained(TimerHandler handler);
-  /// Calls a function. Returns false if it throws.
-  bool contain(std::string_view what, const std::function<void()>& function);
-
-  Bus& bus_;
-  Measure measure_;
-  std::vector<SubscriptionId> subscriptions_;
-  std::vector<HandlerTimes> times_;
-  Failures failures_;
-};
 
 /// Publishes what every stage reports about itself: the configuration at the start and every 10 s
 /// (CONFIG), a heartbeat every second (HEARTBEAT), statistics every 5 s (STAGE_STATS). In bus time

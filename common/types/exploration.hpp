@@ -32,7 +32,7 @@ struct Corridor {
   int from = 0;  ///< index of a node
   int to = 0;
   double length_m = 0.0;
-  double width_m = 0.0;                 ///< minimum width, wall to wall
+  double width_m = 0.0;                 ///< median, wall to wall; posts do not count
   std::vector<Eigen::Vector2d> points;  ///< p_map, from node to node
 
   friend bool operator==(const Corridor&, const Corridor&) = default;

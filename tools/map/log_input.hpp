@@ -22,7 +22,7 @@
 
 namespace adit {
 
-/// Whether the file is an LCM log, by its first bytes or its extension.
+/// Whether the file is an LCM log, plain or compressed, by its first bytes or its extension.
 bool is_lcm_log(const std::filesystem::path& file);
 
 /// An LCM or CARMEN log for replay, in order of time and with usable times (TimeJudge). A log in

@@ -29,4 +29,30 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
+std::optional<std::string> bytes_of_base64(std::string_view text) {
+  if (text.size() % 4 != 0) return std::nullopt;
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  for (std::size_t i = 0; i < text.size(); i += 4) {
+    std::string_view digits = text.substr(i, 4);
+    if (i + 4 == text.size()) {
+      if (digits.ends_with("==")) {
+        digits.remove_suffix(2);
+      } else if (digits.ends_with('=')) {
+        digits.remove_suffix(1);
+      }
+    }
+    std::uint32_t three = 0;
+    for (const char digit : digits) {
+      const std::size_t value = kBase64Digits.find(digit);
+      if (value == std::string_view::npos) return std::nullopt;
+      three = three << 6U | static_cast<std::uint32_t>(value);
+    }
+    three <<= 6U * (4U - static_cast<unsigned>(digits.size()));
+    for (std::size_t k = 0; k + 1 < digits.size(); ++k)
+      bytes.push_back(static_cast<char>(three >> (16U - 8U * static_cast<unsigned>(k)) & 0xFFU));
+  }
+  return bytes;
+}
+
 }  // namespace adit

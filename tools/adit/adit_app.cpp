@@ -37,6 +37,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_completion_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);
+  add_export_command(*app);
   add_import_command(*app);
   add_key_command(*app);
   add_logs_command(*app);

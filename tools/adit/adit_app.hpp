@@ -44,6 +44,7 @@ void add_key_option(CLI::App& command, std::string& key);
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
+void add_export_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_key_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);

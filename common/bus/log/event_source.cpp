@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "common/files/output_file.hpp"
 #include "common/files/temporary_file.hpp"
+#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 namespace {
@@ -140,6 +143,32 @@ std::optional<LogEventView> LogFile::next() {
   if (next_ == events_.size()) return std::nullopt;
   bytes_.release_before(events_[next_].channel.data());
   return events_[next_++];
+}
+
+namespace {
+
+/// The time of the first event with a plausible one; the largest number without any.
+std::int64_t begin_utime(const std::filesystem::path& log) {
+  LogReader reader(log);
+  while (const auto event = reader.next()) {
+    if (is_plausible_utime(event->utime)) return event->utime;
+  }
+  return std::numeric_limits<std::int64_t>::max();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs) {
+  if (logs.size() < 2) return logs;
+  std::vector<std::pair<std::int64_t, std::filesystem::path>> by_time;
+  for (std::filesystem::path& log : logs) {
+    const std::int64_t begin = begin_utime(log);
+    by_time.emplace_back(begin, std::move(log));
+  }
+  std::stable_sort(by_time.begin(), by_time.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = std::move(by_time[i].second);
+  return logs;
 }
 
 }  // namespace adit

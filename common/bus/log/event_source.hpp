@@ -126,4 +126,9 @@ class LogFile final : public EventSource {
   std::size_t next_ = 0;
 };
 
+/// The logs by the time of their first event, whatever their names: `lcm-logger --rotate` gives the
+/// newest one the first name. Logs without an event come last. Throws std::runtime_error for a log
+/// that cannot be read.
+std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs);
+
 }  // namespace adit

@@ -3,10 +3,7 @@
 #include "tools/report/records/log_info.hpp"
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,7 +11,6 @@
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 namespace {
@@ -44,15 +40,6 @@ void add_warnings(const LogHealth& health, const std::string& file, LogInfo& log
   if (health.events == 0) log_info.warnings.push_back(fmt::format("no events in {}", file));
 }
 
-/// The time of the first event with a plausible one; the largest number without any.
-std::int64_t begin_utime(const std::filesystem::path& log) {
-  LogReader reader(log);
-  while (const auto event = reader.next()) {
-    if (is_plausible_utime(event->utime)) return event->utime;
-  }
-  return std::numeric_limits<std::int64_t>::max();
-}
-
 void add_lasers(LogInfo& log_info) {
   for (const auto& [stage, config] : log_info.configs) {
     const auto lasers = recorded_section<Lasers>(config, Lasers::kSection, log_info.warnings);
@@ -66,19 +53,6 @@ void add_lasers(LogInfo& log_info) {
 
 bool LogInfo::simulated() const {
   return has(channels::kTruth) || has(channels::kRunState) || configs.contains(kSimSection);
-}
-
-std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs) {
-  if (logs.size() < 2) return logs;
-  std::vector<std::pair<std::int64_t, std::filesystem::path>> by_time;
-  for (std::filesystem::path& log : logs) {
-    const std::int64_t begin = begin_utime(log);
-    by_time.emplace_back(begin, std::move(log));
-  }
-  std::stable_sort(by_time.begin(), by_time.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = std::move(by_time[i].second);
-  return logs;
 }
 
 LogInfo read_log_info(const std::vector<std::filesystem::path>& logs) {

@@ -43,11 +43,6 @@ Params recorded_params(const LogInfo& log_info, const std::string& stage,
   return recorded_section<Params>(config->second, stage, warnings).value_or(Params{});
 }
 
-/// The logs by the time of their first event, whatever their names: `lcm-logger --rotate` gives the
-/// newest one the first name. Logs without an event come last. Throws std::runtime_error for a log
-/// that cannot be read.
-std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs);
-
 /// Reads the logs once. Throws std::runtime_error if a log cannot be read, or if no log has an
 /// event.
 LogInfo read_log_info(const std::vector<std::filesystem::path>& logs);

@@ -26,7 +26,6 @@
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/eval/map_image.hpp"
 #include "tools/eval/trajectory.hpp"
-#include "tools/report/records/log_info.hpp"
 
 namespace adit {
 namespace {

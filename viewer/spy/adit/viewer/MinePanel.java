@@ -42,7 +42,8 @@ final class MinePanel extends JPanel {
 
     static final Color PAPER = new Color(0xe8e5df);
     static final Color WALL = new Color(0x1f242b);
-    static final Color UNKNOWN_GROUND = new Color(0xb9b6b0);
+    /** Ground that the laser should have seen and has not: a drop, water, or open air. */
+    static final Color UNSEEN_GROUND = new Color(0x6fb7e8);
     static final Color EASY_GROUND = new Color(0x9fd8a8);
     static final Color HARD_GROUND = new Color(0xd9534a);
     static final Color SEQUENTIAL = new Color(0x6d747c);
@@ -168,13 +169,16 @@ final class MinePanel extends JPanel {
             for (int column = 0; column < terrain.columns; ++column) {
                 int cell = row * terrain.columns + column;
                 byte ground = terrain.ground[cell];
-                if (ground == terrain_t.GROUND_NEVER_OBSERVED) continue;
+                if (ground == terrain_t.GROUND_NEVER_OBSERVED
+                        || ground == terrain_t.GROUND_OCCLUDED) {
+                    continue;
+                }
                 short coefficient = terrain.coefficientMm[cell];
                 boolean known = ground == terrain_t.GROUND_OBSERVED
                         && coefficient != terrain_t.UNKNOWN;
                 g.setColor(known
                         ? blend(EASY_GROUND, HARD_GROUND, coefficient / COEFFICIENT_HARD_MM)
-                        : UNKNOWN_GROUND);
+                        : UNSEEN_GROUND);
                 double x = terrain.cornerX + column * m;
                 double y = terrain.cornerY + row * m;
                 Path2D square = new Path2D.Double();

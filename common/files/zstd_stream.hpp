@@ -18,7 +18,10 @@ namespace adit {
 /// Whether bytes begin as a file that is compressed with zstd (RFC 8878).
 bool is_zstd(std::span<const std::uint8_t> bytes);
 
-/// Decompresses zstd (RFC 8878) of any number of frames, piece by piece. After damage it continues
+/// Content as one frame, which states its size.
+std::string zstd_frame(std::string_view content);
+
+/// Decompresses zstd (RFC 8878) of any number of frames, part by part. After damage it continues
 /// with the next frame; of a frame that is damaged or incomplete it returns what precedes that.
 class ZstdDecoder {
  public:
@@ -35,7 +38,7 @@ class ZstdDecoder {
   ZstdDecoder(const ZstdDecoder&) = delete;
   ZstdDecoder& operator=(const ZstdDecoder&) = delete;
 
-  /// Appends the next piece of the content; false at the end.
+  /// Appends the next part of the content; false at the end.
   bool read(std::vector<std::uint8_t>& content);
 
   /// Compressed bytes read so far.

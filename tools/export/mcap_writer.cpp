@@ -129,8 +129,7 @@ void McapWriter::write(std::uint16_t channel, std::int64_t log_utime, std::int64
 
 void McapWriter::end_chunk() {
   if (chunk_index_.empty()) return;
-  ZstdEncoder encoder;
-  const std::string compressed = encoder.add(chunk_) + encoder.end_frame();
+  const std::string compressed = zstd_frame(chunk_);
   const std::uint64_t chunk_at = position_;
   append_record(kChunk, Fields()
                             .u64(chunk_from_ns_)

@@ -65,10 +65,10 @@ LogBytes::LogBytes(const std::filesystem::path& path) : file_(path) {
   const TemporaryFile temporary(path.parent_path());
   OutputFile output(temporary.path(), path.string() + ", unpacked");
   ZstdDecoder decoder(file_.bytes());
-  std::vector<std::uint8_t> piece;
-  while (decoder.read(piece)) {
-    output.write({reinterpret_cast<const char*>(piece.data()), piece.size()});
-    piece.clear();
+  std::vector<std::uint8_t> part;
+  while (decoder.read(part)) {
+    output.write({reinterpret_cast<const char*>(part.data()), part.size()});
+    part.clear();
     release(file_, decoder.position(), released_);
   }
   output.close();

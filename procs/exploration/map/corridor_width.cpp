@@ -17,40 +17,40 @@ constexpr double kToWallMaxM = 15.0;
 constexpr double kUnseenShareMax = 0.25;  // of the cells around what stands free
 
 /// Connected cells of wall.
-struct Piece {
+struct WallPart {
   std::vector<std::size_t> cells;
   std::size_t beside_free = 0;  ///< contacts of its cells with observed space
   std::size_t beside_unseen = 0;
   CellBox box;
 };
 
-Piece piece_at(std::size_t first, const Grid2<Occupancy>& known, Grid2<std::uint8_t>& visited) {
-  Piece piece;
-  piece.cells = {first};
+WallPart wall_part_at(std::size_t first, const Grid2<Occupancy>& known, Grid2<std::uint8_t>& visited) {
+  WallPart part;
+  part.cells = {first};
   visited[first] = 1;
-  piece.box.from = piece.box.to = known.cell(first);
+  part.box.from = part.box.to = known.cell(first);
   const auto around = known.around();
-  for (std::size_t i = 0; i < piece.cells.size(); ++i) {
-    const std::size_t at = piece.cells[i];
-    piece.box.from = piece.box.from.cwiseMin(known.cell(at));
-    piece.box.to = piece.box.to.cwiseMax(known.cell(at));
+  for (std::size_t i = 0; i < part.cells.size(); ++i) {
+    const std::size_t at = part.cells[i];
+    part.box.from = part.box.from.cwiseMin(known.cell(at));
+    part.box.to = part.box.to.cwiseMax(known.cell(at));
     for (const std::ptrdiff_t step : around) {
       const std::size_t next = at + static_cast<std::size_t>(step);
-      if (known[next] == Occupancy::kUnseen) ++piece.beside_unseen;
-      if (known[next] == Occupancy::kFree || known[next] == Occupancy::kDriven) ++piece.beside_free;
+      if (known[next] == Occupancy::kUnseen) ++part.beside_unseen;
+      if (known[next] == Occupancy::kFree || known[next] == Occupancy::kDriven) ++part.beside_free;
       if (known[next] != Occupancy::kWall || visited[next] != 0) continue;
       visited[next] = 1;
-      piece.cells.push_back(next);
+      part.cells.push_back(next);
     }
   }
-  return piece;
+  return part;
 }
 
-bool stands_free(const Piece& piece, double resolution_m) {
-  const Eigen::Vector2i size = piece.box.to - piece.box.from + Eigen::Vector2i::Ones();
+bool stands_free(const WallPart& part, double resolution_m) {
+  const Eigen::Vector2i size = part.box.to - part.box.from + Eigen::Vector2i::Ones();
   if (resolution_m * size.maxCoeff() > CorridorWidth::kStandsFreeMaxM + 1e-9) return false;
-  const auto contacts = static_cast<double>(piece.beside_free + piece.beside_unseen);
-  return static_cast<double>(piece.beside_unseen) <= kUnseenShareMax * contacts;
+  const auto contacts = static_cast<double>(part.beside_free + part.beside_unseen);
+  return static_cast<double>(part.beside_unseen) <= kUnseenShareMax * contacts;
 }
 
 /// A polyline with its length up to each point.
@@ -85,9 +85,9 @@ CorridorWidth::CorridorWidth(const DrivableSpace& space)
   Grid2<std::uint8_t> visited(known.box());
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (known[i] != Occupancy::kWall || visited[i] != 0) continue;
-    const Piece piece = piece_at(i, known, visited);
-    if (stands_free(piece, space.resolution_m)) continue;
-    for (const std::size_t cell : piece.cells) walls_[cell] = 1;
+    const WallPart part = wall_part_at(i, known, visited);
+    if (stands_free(part, space.resolution_m)) continue;
+    for (const std::size_t cell : part.cells) walls_[cell] = 1;
   }
 }
 

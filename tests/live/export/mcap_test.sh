@@ -22,7 +22,7 @@ for topic in /tf /pose /map /cloud /mission; do
   grep -q "^$topic [a-zA-Z.]* [1-9]" "$scratch/topics" || { echo "no message of $topic" >&2; exit 1; }
 done
 
-# The same from a compressed log, and in pieces in any order.
+# The same from a compressed log.
 "$adit" export "$scratch/run.lcmlog" --lcmlog "$scratch/run.lcmlog.zst"
 "$adit" export "$scratch/run.lcmlog.zst" --mcap "$scratch/b.mcap"
 cmp "$scratch/a.mcap" "$scratch/b.mcap"

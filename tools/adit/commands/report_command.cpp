@@ -45,14 +45,14 @@ constexpr const char* kReportDetails =
   summary.json          figures, and the configuration of each stage
   run.lcmlog            the log
 
-Several logs are the logs of one mission after restarts, or the pieces of a recording; they are read by the
+Several logs are the logs of one mission after restarts, or the files of a recording; they are read by the
 time of their first message, whatever their order and names. The map is read from the log
 (LOCAL_MAP, POSE_GRAPH); --remap computes it from the laser scans and their matches. Outputs whose messages
 are missing in the log are omitted with a warning.)";
 
 constexpr const char* kReportExamples =
     R"(  adit report run.lcmlog --out mission
-  adit report run-*.lcmlog* --out mission                  all pieces of a recording of adit-record
+  adit report run-*.lcmlog* --out mission                  all files of a recording of adit-record
   adit report run.lcmlog --out remapped --remap)";
 
 }  // namespace

@@ -81,6 +81,7 @@ TEST(ZstdStream, ReturnsWhatWasCompressed) {
 
 TEST(ZstdStream, ReadsWhatOtherProgramsCompress) {
   const std::string text = content(3'000'000, 2);
+  EXPECT_TRUE(decode(zstd_frame(text)).content == text);
   std::string one(ZSTD_compressBound(text.size()), '\0');
   one.resize(ZSTD_compress(one.data(), one.size(), text.data(), text.size(), 19));
   const Decoded decoded = decode(one + one);

@@ -260,7 +260,7 @@ TEST_F(Report, JoinsTheLogsOfOneMission) {
   EXPECT_EQ(LogFile(out() / "run.lcmlog").size(), LogFile(folder_ / "a.lcmlog").size());
 }
 
-/// lcm-logger --rotate names the newest piece first.
+/// lcm-logger --rotate names the newest file first.
 TEST_F(Report, ReadsTheLogsByTimeWhateverTheirNames) {
   run();
   const json complete = summary();

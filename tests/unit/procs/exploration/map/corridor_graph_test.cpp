@@ -90,12 +90,11 @@ TEST(Corridors, HaveTheLengthAndWidthOfTheTunnels) {
 TEST(Corridors, AreAsWideAsTheRockBehindThePosts) {
   for (const auto& [right_m, left_m] : {std::pair(1.0, 1.0), {1.4, 1.2}, {0.6, 1.6}}) {
     const CorridorGraph graph = corridors_of(timbered_tunnel(right_m, left_m));
-    ASSERT_FALSE(graph.corridors.empty());
-    const Corridor& longest =
-        *std::max_element(graph.corridors.begin(), graph.corridors.end(),
-                          [](const auto& a, const auto& b) { return a.length_m < b.length_m; });
-    EXPECT_GT(longest.length_m, 20.0);
-    EXPECT_NEAR(longest.width_m, 4.0, 0.3) << right_m << ", " << left_m;  // cells of 0.2 m
+    EXPECT_GT(graph.length_m(), 20.0);
+    for (const Corridor& corridor : graph.corridors) {
+      if (corridor.length_m < 3.0) continue;  // between posts that the vehicle passes on both sides
+      EXPECT_NEAR(corridor.width_m, 4.0, 0.3) << right_m << ", " << left_m;  // cells of 0.2 m
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 # LCM, and code from its types:
 #   adit_lcm_library(NAME PACKAGE p TYPES a_t ...)   C++ headers "p/a_t.hpp", target adit::NAME
 #   adit_lcm_jar(NAME PACKAGE p TYPES a_t ...)       <build>/share/java/NAME.jar, where a JDK is
+#   adit_java_jar(NAME JARS n ... SOURCES ...)       the same from Java that uses the jars of those names
 # The types are the files a_t.lcm of the calling folder. The C++ goes through guard_decoding.cmake.
 # LCM 1.4 brings a CMake package; 1.3.1 of Debian 12 is looked for by hand, without pkg-config, which
 # would ask for GLib's headers that nothing here includes.
@@ -74,5 +75,29 @@ function(adit_lcm_jar name)
     DEPENDS ${sources}
     COMMENT "Building ${name}.jar" VERBATIM)
   add_custom_target(${name}_jar ALL DEPENDS ${jar})
+  install(FILES ${jar} DESTINATION share/java)
+endfunction()
+
+function(adit_java_jar name)
+  if(NOT ADIT_JAVAC OR NOT ADIT_JAR OR NOT ADIT_LCM_JAR)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "JARS;SOURCES" ${ARGN})
+  set(classes ${CMAKE_CURRENT_BINARY_DIR}/${name}_classes)
+  set(jar ${PROJECT_BINARY_DIR}/share/java/${name}.jar)
+  list(TRANSFORM ARG_JARS REPLACE "(.+)" "${PROJECT_BINARY_DIR}/share/java/\\1.jar" OUTPUT_VARIABLE jars)
+  list(JOIN jars ":" class_path)
+  list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
+  add_custom_command(OUTPUT ${jar}
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${classes}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${classes}
+    COMMAND ${ADIT_JAVAC} --release 8 -Xlint:-options -cp ${ADIT_LCM_JAR}:${class_path} -d ${classes} ${sources}
+    COMMAND ${ADIT_JAR} cf ${jar} -C ${classes} .
+    DEPENDS ${sources} ${jars}
+    COMMENT "Building ${name}.jar" VERBATIM)
+  add_custom_target(${name}_jar ALL DEPENDS ${jar})
+  foreach(used ${ARG_JARS})
+    add_dependencies(${name}_jar ${used}_jar)
+  endforeach()
   install(FILES ${jar} DESTINATION share/java)
 endfunction()

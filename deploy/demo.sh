@@ -29,7 +29,7 @@ The results are in $out:
   map.pgm, map.yaml            the same for Nav2's map_server
   cloud.ply, volume.bt         points of all 3D scans; OctoMap of the mine
   trajectory.tum, graph.g2o    path of the robot; pose graph
-  junctions.geojson            corridors, junctions, frontiers
+  junctions.geojson            corridors, junctions, frontiers; metres
   summary.json                 figures of the mission
   phases.tsv                   phases of the mission, with reasons
   run.lcmlog                   every message, for adit spy and lcm-logplayer

@@ -106,6 +106,60 @@ void draw_graph(const Canvas& canvas, const MapLayout& layout, const GraphPictur
   draw_edges(canvas, on_sheet(layout, graph.loop_closures), kLoopClosurePen, loop_closure_unit);
 }
 
+using Place = MapPicture::Place;
+
+struct PlaceMark {
+  Place::Kind kind;
+  const char* name;
+  Colour colour;
+  double radius;  // units
+};
+
+// In the order of drawing: what must be seen comes last.
+constexpr std::array<PlaceMark, 5> kPlaceMarks = {
+    PlaceMark{Place::Kind::kScan, "3D scans", kScanMark, 2.6},
+    PlaceMark{Place::Kind::kJunction, "junctions", kJunctionMark, 5.0},
+    PlaceMark{Place::Kind::kDeadEnd, "dead ends", kDeadEndMark, 5.0},
+    PlaceMark{Place::Kind::kBlockedFrontier, "blocked", kBlockedMark, 7.0},
+    PlaceMark{Place::Kind::kOpenFrontier, "open", kOpenMark, 7.0}};
+
+bool has(const std::vector<Place>& places, Place::Kind kind) {
+  return std::any_of(places.begin(), places.end(),
+                     [&](const Place& place) { return place.kind == kind; });
+}
+
+void draw_place(const Canvas& canvas, const Eigen::Vector2d& p, const PlaceMark& mark,
+                double unit) {
+  canvas.colour(kOpen);
+  canvas.disc(p.x(), p.y(), (mark.radius + 1.6) * unit);
+  canvas.colour(mark.colour);
+  canvas.disc(p.x(), p.y(), mark.radius * unit);
+}
+
+void draw_places(const Canvas& canvas, const MapLayout& layout, const std::vector<Place>& places) {
+  for (const PlaceMark& mark : kPlaceMarks) {
+    for (const Place& place : places) {
+      if (place.kind == mark.kind) draw_place(canvas, layout.pixel(place.p_map), mark, layout.unit);
+    }
+  }
+}
+
+/// Draws the legend entries of the places side by side in the footer, ending at `right`. Returns
+/// their left end [pixels].
+double draw_place_keys(const Canvas& canvas, const MapLayout& layout,
+                       const std::vector<Place>& places, double right) {
+  const double unit = layout.unit;
+  for (auto mark = kPlaceMarks.rbegin(); mark != kPlaceMarks.rend(); ++mark) {
+    if (!has(places, mark->kind)) continue;
+    const double centre = right - kGraphKey / 2.0 * unit;
+    draw_place(canvas, {centre, foot(layout)}, *mark, unit);
+    canvas.colour(kInk);
+    canvas.text(mark->name, centre, foot(layout) + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+    right -= kGraphKey * unit;
+  }
+  return right;
+}
+
 /// Draws the legend entries of its non-empty parts side by side in the footer, ending at `right`
 /// [pixels].
 void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph,
@@ -236,7 +290,10 @@ MapLayout layout_of(const OccupancyGrid& grid, const MapPicture& picture) {
   const bool doubtful =
       std::find(picture.doubtful.begin(), picture.doubtful.end(), true) != picture.doubtful.end();
   const int keys = int(doubtful) + int(!graph.nodes.empty()) + int(!graph.loop_closures.empty()) +
-                   int(!graph.revoked.empty());
+                   int(!graph.revoked.empty()) +
+                   static_cast<int>(std::count_if(
+                       kPlaceMarks.begin(), kPlaceMarks.end(),
+                       [&](const PlaceMark& mark) { return has(picture.places, mark.kind); }));
   return {grid, poses, keys};
 }
 
@@ -252,6 +309,7 @@ void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
   draw_ground(canvas, layout, grid);
   draw_path(canvas, layout, picture);
   draw_graph(canvas, layout, picture.graph);
+  draw_places(canvas, layout, picture.places);
   double keys_end = layout.width - kPageMargin * unit;
   if (!picture.path.empty()) {
     draw_start(canvas, layout.pixel(picture.path.front().translation()), unit);
@@ -262,6 +320,7 @@ void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
     const bool with_doubtful = std::find(doubtful.begin(), doubtful.end(), true) != doubtful.end();
     keys_end = draw_path_keys(canvas, layout, with_degenerate, with_doubtful);
   }
+  keys_end = draw_place_keys(canvas, layout, picture.places, keys_end);
   draw_graph_keys(canvas, layout, picture.graph, keys_end);
   canvas.colour(kInk);
   canvas.text(picture.title, kPageMargin * unit, 48.0 * unit, 24.0 * unit, true, Align::kLeft);

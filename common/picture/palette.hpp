@@ -23,6 +23,11 @@ inline constexpr Colour kEnd = rgb(0xc8324a);
 inline constexpr Colour kGraph = rgb(0x33373d);
 inline constexpr Colour kLoopClosure = rgb(0x2fa32a);
 inline constexpr Colour kRevoked = rgb(0xf07800);
+inline constexpr Colour kScanMark = rgb(0x22262b);
+inline constexpr Colour kJunctionMark = rgb(0x2f7fd6);
+inline constexpr Colour kDeadEndMark = rgb(0x8a5a2b);
+inline constexpr Colour kBlockedMark = rgb(0x6b5b95);
+inline constexpr Colour kOpenMark = rgb(0xc8102e);
 inline constexpr Colour kRim = rgb(0xffffff, 0.85);  // rim of lines over walls
 
 /// Colours from the start of a path to its end; darker than the ground and lighter than the walls.

@@ -32,7 +32,7 @@ struct Corridor {
   int from = 0;  ///< index of a node
   int to = 0;
   double length_m = 0.0;
-  double width_m = 0.0;                 ///< minimum width, wall to wall
+  double width_m = 0.0;                 ///< median, wall to wall; posts do not count
   std::vector<Eigen::Vector2d> points;  ///< p_map, from node to node
 
   friend bool operator==(const Corridor&, const Corridor&) = default;
@@ -63,6 +63,29 @@ enum class FrontierState : std::int8_t {
   kOutsideMine = 6,   ///< outside the mine, behind the start
   kUnconfirmed = 7,   ///< no path was found, but the obstacle was not observed
 };
+
+/// "open", "explored", ..
+constexpr const char* name_of(FrontierState state) {
+  switch (state) {
+    case FrontierState::kOpen:
+      return "open";
+    case FrontierState::kExplored:
+      return "explored";
+    case FrontierState::kBlocked:
+      return "blocked";
+    case FrontierState::kTooNarrow:
+      return "too narrow";
+    case FrontierState::kBeyondBudget:
+      return "beyond budget";
+    case FrontierState::kUnobservable:
+      return "unobservable";
+    case FrontierState::kOutsideMine:
+      return "outside mine";
+    case FrontierState::kUnconfirmed:
+      return "unconfirmed";
+  }
+  return "";
+}
 
 /// A place where the mine continues beyond the observed space, with an identity that persists while
 /// the map grows and moves.

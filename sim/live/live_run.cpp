@@ -52,7 +52,9 @@ LcmBusOptions bus_options(const LiveRunOptions& run) {
 }
 
 LiveRunOptions with_record_stage(LiveRunOptions options) {
-  if (!options.record.empty()) options.pacing.wait_for.emplace_back(Recording::kStage);
+  if (options.record.empty()) return options;
+  options.pacing.wait_for.emplace_back(Recording::kStage);
+  if (options.compress) options.record = compressed_name(options.record);
   return options;
 }
 
@@ -133,6 +135,8 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--record", options.record,
                  "Records all messages on the bus in an LCM log, without loss")
       ->type_name("FILE");
+  app.add_flag("--compress", options.compress,
+               "Compresses the recorded log with zstd; as does a name that ends with .zst");
   app.add_flag("--print-config", options.print_config,
                "Prints every parameter with the value in effect, and exits");
   app.add_option("--start-utime", options.start_utime,

@@ -25,6 +25,7 @@ struct LiveRunOptions {
   std::vector<std::string> faults;  ///< for parse_fault(), in addition to those in the config
   std::string lcm_url;
   std::filesystem::path record;  ///< LCM log of all messages; empty: none
+  bool compress = false;         ///< the log, with zstd
   std::optional<double> for_s;   ///< simulated duration; unlimited if empty
   std::optional<std::int64_t>
       start_utime;            ///< simulated time at the start; the system clock if empty

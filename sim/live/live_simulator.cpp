@@ -43,6 +43,7 @@ BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, double fre
                          Clock clock)
     : log_(path, free_min_mb), clock_(std::move(clock)) {
   for (const std::string_view channel : channels::kAll) {
+    if (channel == channels::kSimTimeDone) continue;
     bus.subscribe(channel, Delivery::queued(kMessageQueueSize),
                   [this](const ReceivedMessage& received) -> std::string_view {
                     log_.write({clock_(), received.channel, received.bytes});

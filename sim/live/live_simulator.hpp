@@ -21,8 +21,9 @@
 
 namespace adit {
 
-/// Records all channels in an LCM log, stamped with the time of handling. No message is lost if the
-/// bus waits for its handlers.
+/// Records all channels in an LCM log, stamped with the time of handling, except the answers to the
+/// simulator (SIM_TIME_DONE), which say nothing of the mission. No message is lost if the bus waits
+/// for its handlers.
 class BusRecorder {
  public:
   using Clock = std::function<std::int64_t()>;  ///< [µs since the epoch], monotonic

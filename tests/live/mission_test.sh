@@ -7,6 +7,7 @@
 #   nominal        no faults
 #   faults         one process is killed, others are suspended, one of them during a 3D scan
 #   power_loss     all processes are killed; the mission is resumed
+#   power_loss_compressed   the same with compressed logs
 #   message_loss   5 % of the messages of the drivers are lost (losses between stages:
 #                  tests/system/lossy_mission_test.cpp)
 #   orders         pause, resume and return by order
@@ -77,14 +78,16 @@ case $case in
     "$check_losses" "$out" >"$scratch/losses.text" || fail "published data are lost"
     grep -q "driving does not respond" "$scratch/mission.text" || fail "the suspended process was not detected"
     ;;
-  power_loss)
-    begin "$world" --config "$config"
+  power_loss | power_loss_compressed)
+    options=(); extension=
+    if [[ $case == *_compressed ]]; then options=(--compress); extension=.zst; fi
+    begin "$world" --config "$config" "${options[@]}"
     await_driven "$kPowerLossAfterM"
     kill -KILL "$mission"; wait "$mission" 2>/dev/null
     expect_no_process
-    begin --resume
+    begin --resume "${options[@]}"
     expect_return
-    [[ -s $out/run.lcmlog && -s $out/run_2.lcmlog ]] || fail "the logs of two runs are missing"
+    [[ -s $out/run.lcmlog$extension && -s $out/run_2.lcmlog$extension ]] || fail "the logs of two runs are missing"
     grep -q "is at home" "$out/mission.html" || fail "the report does not cover the second run"
     ;;
   message_loss)

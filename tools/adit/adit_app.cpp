@@ -37,6 +37,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_completion_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);
+  add_export_command(*app);
   add_import_command(*app);
   add_key_command(*app);
   add_logs_command(*app);
@@ -52,6 +53,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_scan_command(*app);
   add_sim_command(*app);
   add_spy_command(*app);
+  add_view_command(*app);
   add_volume_command(*app);
   return app;
 }

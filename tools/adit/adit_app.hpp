@@ -44,6 +44,7 @@ void add_key_option(CLI::App& command, std::string& key);
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
+void add_export_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_key_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);
@@ -59,6 +60,7 @@ void add_sample_command(CLI::App& adit);
 void add_scan_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
+void add_view_command(CLI::App& adit);
 void add_volume_command(CLI::App& adit);
 
 }  // namespace adit

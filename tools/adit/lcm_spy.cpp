@@ -3,14 +3,19 @@
 #include "tools/adit/lcm_spy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "common/files/zstd_stream.hpp"
 
 namespace adit {
 namespace {
@@ -60,6 +65,14 @@ void require_log(const fs::path& log) {
   if (access(log.c_str(), R_OK) != 0) {
     throw std::runtime_error(
         fmt::format("{}: {}", log.string(), std::generic_category().message(errno)));
+  }
+  std::array<std::uint8_t, 4> begin{};
+  std::ifstream(log, std::ios::binary).read(reinterpret_cast<char*>(begin.data()), begin.size());
+  if (is_zstd(begin)) {
+    throw std::runtime_error(
+        fmt::format("{}: lcm-logplayer-gui cannot read a compressed log, try: adit export {} "
+                    "--lcmlog PLAIN",
+                    log.string(), log.string()));
   }
   if (log.string().find(' ') != std::string::npos) {
     throw std::runtime_error(

@@ -3,12 +3,14 @@
 #include "tools/map/log_input.hpp"
 
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
+#include "common/files/zstd_stream.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/sensing.hpp"
 #include "tools/carmen/carmen_import.hpp"
@@ -80,11 +82,10 @@ LogFile::TimeOf replay_time(const TimeChoice& times) {
 bool is_lcm_log(const std::filesystem::path& file) {
   if (file.extension() == ".lcmlog") return true;
   std::ifstream stream(file, std::ios::binary);
-  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
-  for (const unsigned char byte : kSync) {
-    if (stream.get() != byte) return false;
-  }
-  return true;
+  constexpr std::array<std::uint8_t, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
+  std::array<std::uint8_t, 4> begin{};
+  stream.read(reinterpret_cast<char*>(begin.data()), begin.size());
+  return stream.good() && (begin == kSync || is_zstd(begin));
 }
 
 LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,

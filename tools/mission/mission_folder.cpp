@@ -3,6 +3,8 @@
 #include "tools/mission/mission_folder.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -43,7 +45,8 @@ constexpr const char* kLicence =
     "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
 
 fs::path log_of_run(const fs::path& folder, int run_number) {
-  return folder / (run_number == 1 ? "run.lcmlog" : fmt::format("run_{}.lcmlog", run_number));
+  return plain_or_compressed(
+      folder / (run_number == 1 ? "run.lcmlog" : fmt::format("run_{}.lcmlog", run_number)));
 }
 
 std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
@@ -56,13 +59,17 @@ std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
 }
 
 std::optional<SimulatedPose> last_truth_pose_in(const fs::path& log) {
-  if (fs::file_size(log) == 0) return std::nullopt;
-  const LogFile file(log);
-  const auto events = file.events();
-  for (auto event = events.rbegin(); event != events.rend(); ++event) {
-    if (const auto pose = truth_pose_in(*event)) return pose;
+  LogReader reader(log);
+  std::optional<SimulatedPose> last;
+  std::int64_t last_utime = std::numeric_limits<std::int64_t>::min();
+  while (const auto event = reader.next()) {
+    if (event->utime < last_utime) continue;
+    const auto pose = truth_pose_in(*event);
+    if (!pose) continue;
+    last = pose;
+    last_utime = event->utime;
   }
-  return std::nullopt;
+  return last;
 }
 
 /// Start options of the simulator of a mission.
@@ -172,8 +179,9 @@ std::vector<fs::path> MissionFolder::logs() const {
   return found;
 }
 
-fs::path MissionFolder::next_log() const {
-  return log_of_run(path_, static_cast<int>(logs().size()) + 1);
+fs::path MissionFolder::next_log(LogForm form) const {
+  const fs::path log = log_of_run(path_, static_cast<int>(logs().size()) + 1);
+  return form == LogForm::kCompressed ? compressed_name(log) : log;
 }
 
 bool MissionFolder::has_mission() const { return fs::exists(journal()) || !logs().empty(); }
@@ -207,8 +215,8 @@ SimulatedPose MissionFolder::last_pose() const {
 
 std::optional<double> MissionFolder::start_height_m() const {
   const std::vector<fs::path> logs = this->logs();
-  if (logs.empty() || fs::file_size(logs.front()) == 0) return std::nullopt;
-  LogFile log(logs.front());
+  if (logs.empty()) return std::nullopt;
+  LogReader log(logs.front());
   while (const auto event = log.next()) {
     if (const auto pose = truth_pose_in(*event)) return pose->z_m;
   }
@@ -280,7 +288,8 @@ std::string mission_config(const std::filesystem::path& config) {
 
 MissionStart prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   for (const std::string& fault : options.faults) parse_fault(fault);
-  SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
+  SimulatorStart start{folder.next_log(options.log_form), std::nullopt, options.speed,
+                       options.faults};
   MissionStart first =
       options.resume ? resume_mission(folder, start) : start_mission(options, folder);
   write_text_file(process_list_text(start), folder.path() / "processes.cfg");

@@ -24,7 +24,8 @@ struct SimulatedPose {
   double z_m = 0.0;  ///< of the body in world
 };
 
-/// The folder of one mission: the log of each run, run.lcmlog, run_2.lcmlog, .., and the journals
+/// The folder of one mission: the log of each run, run.lcmlog, run_2.lcmlog, .., or the same with
+/// .zst, and the journals
 /// and configuration files that are required to resume it.
 class MissionFolder {
  public:
@@ -45,7 +46,7 @@ class MissionFolder {
   /// Existing logs, in order of time.
   [[nodiscard]] std::vector<std::filesystem::path> logs() const;
   /// Log of the next run.
-  [[nodiscard]] std::filesystem::path next_log() const;
+  [[nodiscard]] std::filesystem::path next_log(LogForm form = LogForm::kPlain) const;
 
   [[nodiscard]] bool has_mission() const;
   /// Throws std::runtime_error if the folder has a mission, which a new one would overwrite.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/log/lcm_log.hpp"
 #include "sim/live/world_choice.hpp"
 #include "tools/mission/mission_progress.hpp"
 
@@ -23,6 +24,7 @@ struct MissionLiveOptions {
   std::string speed = "max";         ///< multiple of real time, or max
   std::vector<std::string> faults;   ///< in the syntax of parse_fault
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
+  LogForm log_form = LogForm::kPlain;
 };
 
 struct MissionLiveResult {

@@ -36,7 +36,7 @@ class MissionInProcess {
       : options_(options),
         start_utime_(start_utime),
         params_(load_simulation_params(options.config, options.faults)),
-        log_(MissionFolder(options.folder).next_log(), params_.record_free_min_mb),
+        log_(MissionFolder(options.folder).next_log(options.log_form), params_.record_free_min_mb),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
         sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), start_utime),
         follower_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {

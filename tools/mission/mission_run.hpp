@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/log/lcm_log.hpp"
 #include "sim/live/world_choice.hpp"
 #include "tools/mission/mission_progress.hpp"
 
@@ -23,6 +24,7 @@ struct MissionRunOptions {
   /// stands at its last TRUTH, and the log is the next one of the folder.
   bool resume = false;
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
+  LogForm log_form = LogForm::kPlain;
 };
 
 struct MissionRunResult {

@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/files/file_utils.hpp"
-#include "common/files/mapped_file.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/report/html/mission_page.hpp"
 #include "tools/report/html/text_format.hpp"
@@ -28,14 +28,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Writes run.lcmlog into `unfinished`: a hard link to one log, or a copy where links are not
-/// possible; several logs are concatenated and their events renumbered. Does nothing if the first
-/// log is run.lcmlog of `folder`: it is the folder of the mission, which has all its logs. Throws
-/// std::runtime_error if the file cannot be written.
+/// possible; several logs are concatenated and their events renumbered. It is run.lcmlog.zst if the
+/// first log is compressed. Does nothing if the first log is that of `folder`: it is the folder of
+/// the mission, which has all its logs. Throws std::runtime_error if the file cannot be written.
 void store_log(const std::vector<fs::path>& logs, const fs::path& folder,
                const fs::path& unfinished) {
-  const fs::path target = unfinished / "run.lcmlog";
+  const bool compressed = logs.front().extension() == LogWriter::kCompressedExtension;
+  const char* const name = compressed ? "run.lcmlog.zst" : "run.lcmlog";
+  const fs::path target = unfinished / name;
   std::error_code error;
-  if (fs::equivalent(logs.front(), folder / "run.lcmlog", error)) return;
+  if (fs::equivalent(logs.front(), folder / name, error)) return;
   if (logs.size() == 1) {
     fs::create_hard_link(fs::canonical(logs.front()), target, error);
     if (error) fs::copy_file(logs.front(), target);
@@ -43,9 +45,8 @@ void store_log(const std::vector<fs::path>& logs, const fs::path& folder,
   }
   LogWriter writer(target);
   for (const fs::path& log : logs) {
-    const MappedFile file(log);
-    LogParser parser(file.bytes());
-    while (const auto event = parser.next()) writer.write(*event);
+    LogReader reader(log);
+    while (const auto event = reader.next()) writer.write(*event);
   }
   writer.close();
 }
@@ -88,7 +89,9 @@ std::vector<std::string> collect_warnings(const LogInfo& log_info, const Mission
 
 }  // namespace
 
-MissionReport write_report(const ReportOptions& options, const ReportProgress& progress) {
+MissionReport write_report(const ReportOptions& given, const ReportProgress& progress) {
+  ReportOptions options = given;
+  options.logs = in_order_of_time(std::move(options.logs));
   const auto report_progress = [&](const std::string& label, double done) {
     if (progress) progress(label, done);
   };

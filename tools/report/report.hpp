@@ -11,7 +11,7 @@
 namespace adit {
 
 struct ReportOptions {
-  std::vector<std::filesystem::path> logs;  ///< of one mission, in order of time
+  std::vector<std::filesystem::path> logs;  ///< of one mission, in any order
   std::filesystem::path folder;             ///< created if it does not exist
   bool remap = false;  ///< build the map from laser scans and their matches, not from LOCAL_MAP
 };

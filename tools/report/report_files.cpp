@@ -12,6 +12,7 @@
 
 #include "common/bus/log/recording.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/geometry/local_crs.hpp"
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/pose_graph/g2o_file.hpp"
@@ -208,7 +209,8 @@ Json frontier_feature(const Frontier& frontier) {
 
 /// The corridor graph as GeoJSON: corridors as lines; junctions, dead ends and frontiers as points,
 /// frontiers with state and evidence. Coordinates are x and y in the map frame in metres, not
-/// longitude and latitude; the foreign member `coordinates_are` says so.
+/// longitude and latitude; `crs` says so to programs, the foreign member `coordinates_are` to
+/// people.
 std::string junctions_geojson(const ExplorationReport& report) {
   Json features = Json::array();
   for (std::size_t i = 0; i < report.corridors.nodes.size(); ++i) {
@@ -222,12 +224,40 @@ std::string junctions_geojson(const ExplorationReport& report) {
   for (const Frontier& frontier : report.frontiers) features.push_back(frontier_feature(frontier));
   const Json json{
       {"type", "FeatureCollection"},
+      {"crs",
+       {{"type", "name"},
+        {"properties",
+         {{"name",
+           local_crs_wkt("map frame of the mission", "first pose of the first local map")}}}}},
       {"coordinates_are",
        "x and y in the map frame in metres (origin: first pose of the first local map), "
        "not longitude and latitude"},
       {"graph_revision", report.revision},
       {"features", std::move(features)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// The junctions and dead ends, the 3D scans, and the frontiers that are not explored.
+std::vector<MapPicture::Place> places_of(const MapContent& map) {
+  using PlaceKind = MapPicture::Place::Kind;
+  std::vector<MapPicture::Place> places;
+  for (const ScanMark& scan : map.scans)
+    places.push_back({scan.T_map_laser.translation(), PlaceKind::kScan});
+  if (map.exploration == nullptr) return places;
+  for (const CorridorNode& node : map.exploration->corridors.nodes) {
+    if (node.kind == CorridorNode::Kind::kJunction)
+      places.push_back({node.p_map, PlaceKind::kJunction});
+    if (node.kind == CorridorNode::Kind::kDeadEnd)
+      places.push_back({node.p_map, PlaceKind::kDeadEnd});
+  }
+  for (const Frontier& frontier : map.exploration->frontiers) {
+    const bool explored =
+        frontier.state == FrontierState::kExplored || frontier.state == FrontierState::kOutsideMine;
+    if (explored) continue;
+    places.push_back({frontier.p_map, is_closed(frontier.state) ? PlaceKind::kBlockedFrontier
+                                                                : PlaceKind::kOpenFrontier});
+  }
+  return places;
 }
 
 void write_map(const ReportInput& input, const std::filesystem::path& folder,
@@ -239,7 +269,7 @@ void write_map(const ReportInput& input, const std::filesystem::path& folder,
   }
   write_map_server(*input.map.grid, folder, "map");
   MapPicture picture = map_picture(input.map.map->full_map(), input.title);
-  picture.graph = graph_picture(input.map.map->full_map());
+  picture.places = places_of(input.map);
   if (!input.statistics.contradictory.empty()) {
     for (const Trajectory& path : input.map.map->full_map().paths) {
       const auto doubtful = in_stretches(input.statistics.contradictory, path);

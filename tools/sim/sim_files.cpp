@@ -13,6 +13,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/geometry/local_crs.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "tools/cloud/cloud_file.hpp"
@@ -38,6 +39,9 @@ Json feature(const std::string& type, Json coordinates, Json properties) {
 
 Json collection(Json features) {
   return {{"type", "FeatureCollection"},
+          {"crs",
+           {{"type", "name"},
+            {"properties", {{"name", local_crs_wkt("frame world of the mine", "its origin")}}}}},
           {"units", "metres, frame world"},
           {"features", std::move(features)}};
 }

@@ -3,18 +3,49 @@
 #include "common/bus/log/event_source.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "common/files/output_file.hpp"
+#include "common/files/temporary_file.hpp"
+#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::size_t kReleasedBytes = std::size_t{16} << 20U;
+constexpr std::size_t kWindowBytes = std::size_t{1} << 20U;
+// An event that would be longer is a corrupt one in a compressed log.
+constexpr std::size_t kEventBytesMax = std::size_t{64} << 20U;
 
 template <class Event>
 void sort_by_time(std::vector<Event>& events) {
   std::stable_sort(events.begin(), events.end(),
                    [](const Event& a, const Event& b) { return a.utime < b.utime; });
+}
+
+/// Drops the resident pages of a file before an offset, now and then.
+void release(const MappedFile& file, std::size_t before, std::size_t& released) {
+  if (before < released) released = 0;  // read from the start again
+  if (before < released + kReleasedBytes) return;
+  file.release(released, before);
+  released = before;
+}
+
+void add(const LogHealth& part, LogHealth& sum) {
+  sum.events += part.events;
+  sum.corrupt_bytes += part.corrupt_bytes;
+  sum.corrupt_regions += part.corrupt_regions;
+  sum.truncated_bytes += part.truncated_bytes;
+}
+
+void add(const ZstdDecoder::Damage& damage, LogHealth& sum) {
+  sum.corrupt_bytes += damage.corrupt_bytes;
+  sum.corrupt_regions += damage.corrupt_regions;
+  sum.truncated_bytes += damage.truncated_bytes;
 }
 
 }  // namespace
@@ -29,32 +60,80 @@ std::optional<LogEventView> EventList::next() {
   return LogEventView{event.utime, event.channel, event.data};
 }
 
+LogBytes::LogBytes(const std::filesystem::path& path) : file_(path) {
+  if (!is_zstd(file_.bytes())) return;
+  const TemporaryFile temporary(path.parent_path());
+  OutputFile output(temporary.path(), path.string() + ", unpacked");
+  ZstdDecoder decoder(file_.bytes());
+  std::vector<std::uint8_t> part;
+  while (decoder.read(part)) {
+    output.write({reinterpret_cast<const char*>(part.data()), part.size()});
+    part.clear();
+    release(file_, decoder.position(), released_);
+  }
+  output.close();
+  damage_ = decoder.damage();
+  released_ = 0;
+  unpacked_.emplace(temporary.path());
+}
+
+void LogBytes::release_before(const void* byte) {
+  const auto offset = static_cast<const std::uint8_t*>(byte) - bytes().data();
+  release(plain(), static_cast<std::size_t>(offset), released_);
+}
+
+LogReader::LogReader(const std::filesystem::path& path) : file_(path), parser_(file_.bytes()) {
+  if (!is_zstd(file_.bytes())) return;
+  decoder_.emplace(file_.bytes());
+  parser_ = LogParser({});
+  unpacked_ = false;
+}
+
 std::optional<LogEventView> LogReader::next() {
-  const auto event = parser_.next();
-  if (event) release_before(*event);
+  const std::size_t event_begin = parser_.position();
+  auto event = parser_.next();
+  while (!event && !unpacked_) {
+    unpack_more();
+    event = parser_.next();
+  }
+  release(file_, decoder_ ? decoder_->position() : event_begin, released_);
   return event;
+}
+
+/// Moves the window on. It keeps what the parser cannot decide yet, and then at least doubles, so
+/// that a long event is not parsed again and again.
+void LogReader::unpack_more() {
+  add(parser_.health(), before_);
+  window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(parser_.position()));
+  const std::size_t size = std::max(kWindowBytes, 2 * window_.size());
+  while (window_.size() < size && !unpacked_) unpacked_ = !decoder_->read(window_);
+  const bool decide_all = unpacked_ || window_.size() > kEventBytesMax;
+  parser_ = LogParser(window_, decide_all ? LogParser::End::kOfLog : LogParser::End::kOfPart);
+}
+
+LogHealth LogReader::health() const {
+  LogHealth health = before_;
+  add(parser_.health(), health);
+  if (decoder_) add(decoder_->damage(), health);
+  return health;
 }
 
 double LogReader::fraction_read() const {
   if (empty()) return 1.0;
-  return static_cast<double>(parser_.position()) / static_cast<double>(file_.bytes().size());
+  const std::size_t read = decoder_ ? decoder_->position() : parser_.position();
+  return static_cast<double>(read) / static_cast<double>(file_.bytes().size());
 }
 
-void LogReader::release_before(const LogEventView& event) {
-  const auto* const at = reinterpret_cast<const std::uint8_t*>(event.channel.data());
-  const auto offset = static_cast<std::size_t>(at - file_.bytes().data());
-  if (offset < released_) released_ = 0;  // read from the start again
-  if (offset < released_ + kReleasedBytes) return;
-  file_.release(released_, offset);
-  released_ = offset;
-}
-
-LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : reader_(path) {
-  while (auto event = reader_.next()) {
+LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : bytes_(path) {
+  LogParser parser(bytes_.bytes());
+  while (auto event = parser.next()) {
+    bytes_.release_before(event->channel.data());
     if (time_of) event->utime = time_of(*event);
     events_.push_back(*event);
   }
-  if (events_.empty() && !reader_.empty()) {
+  health_ = parser.health();
+  add(bytes_.damage(), health_);
+  if (events_.empty() && !bytes_.bytes().empty()) {
     throw std::runtime_error(path.string() + ": not an LCM log");
   }
   sort_by_time(events_);
@@ -62,8 +141,34 @@ LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : rea
 
 std::optional<LogEventView> LogFile::next() {
   if (next_ == events_.size()) return std::nullopt;
-  reader_.release_before(events_[next_]);
+  bytes_.release_before(events_[next_].channel.data());
   return events_[next_++];
+}
+
+namespace {
+
+/// The time of the first event with a plausible one; the largest number without any.
+std::int64_t begin_utime(const std::filesystem::path& log) {
+  LogReader reader(log);
+  while (const auto event = reader.next()) {
+    if (is_plausible_utime(event->utime)) return event->utime;
+  }
+  return std::numeric_limits<std::int64_t>::max();
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs) {
+  if (logs.size() < 2) return logs;
+  std::vector<std::pair<std::int64_t, std::filesystem::path>> by_time;
+  for (std::filesystem::path& log : logs) {
+    const std::int64_t begin = begin_utime(log);
+    by_time.emplace_back(begin, std::move(log));
+  }
+  std::stable_sort(by_time.begin(), by_time.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = std::move(by_time[i].second);
+  return logs;
 }
 
 }  // namespace adit

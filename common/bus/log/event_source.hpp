@@ -12,6 +12,7 @@
 
 #include "common/bus/log/lcm_log.hpp"
 #include "common/files/mapped_file.hpp"
+#include "common/files/zstd_stream.hpp"
 
 namespace adit {
 
@@ -39,24 +40,50 @@ class EventList final : public EventSource {
   std::size_t next_ = 0;
 };
 
-/// Reads the events of a file in their order; the pages behind the reader are released, so that
-/// memory does not grow with the file. Views are valid for the lifetime of this object; the file
-/// must not be truncated during it. Throws std::runtime_error if the file cannot be read.
+/// The bytes of an LCM log: the mapped file, or, of a compressed one, a temporary file beside it
+/// into which it is unpacked. Throws FileError.
+class LogBytes {
+ public:
+  explicit LogBytes(const std::filesystem::path& path);
+
+  [[nodiscard]] std::span<const std::uint8_t> bytes() const { return plain().bytes(); }
+  /// Tells that the bytes up to this one are not needed in memory for now.
+  void release_before(const void* byte);
+  /// Of the compression.
+  [[nodiscard]] const ZstdDecoder::Damage& damage() const { return damage_; }
+
+ private:
+  [[nodiscard]] const MappedFile& plain() const { return unpacked_ ? *unpacked_ : file_; }
+
+  MappedFile file_;
+  std::optional<MappedFile> unpacked_;
+  ZstdDecoder::Damage damage_;
+  std::size_t released_ = 0;
+};
+
+/// Reads the events of a file, plain or compressed with zstd, in their order. Memory does not grow
+/// with the file. An event is valid until the next call; the file must not be truncated meanwhile.
+/// Throws std::runtime_error if the file cannot be read.
 class LogReader {
  public:
-  explicit LogReader(const std::filesystem::path& path) : file_(path), parser_(file_.bytes()) {}
+  explicit LogReader(const std::filesystem::path& path);
 
   std::optional<LogEventView> next();
-  [[nodiscard]] const LogHealth& health() const { return parser_.health(); }
+  /// With the damage of the compression, in bytes of the compressed file.
+  [[nodiscard]] LogHealth health() const;
   /// Fraction of the file that has been read, 0 to 1.
   [[nodiscard]] double fraction_read() const;
   [[nodiscard]] bool empty() const { return file_.bytes().empty(); }
-  /// Tells that the events up to this one are not needed in memory for now.
-  void release_before(const LogEventView& event);
 
  private:
+  void unpack_more();
+
   MappedFile file_;
-  LogParser parser_;
+  std::optional<ZstdDecoder> decoder_;  ///< of a compressed file
+  std::vector<std::uint8_t> window_;    ///< of its content
+  bool unpacked_ = true;                ///< the window has the end of the content
+  LogHealth before_;                    ///< of the windows before
+  LogParser parser_;                    ///< of the file, or of the window
   std::size_t released_ = 0;
 };
 
@@ -74,9 +101,10 @@ class LogStream final : public EventSource {
   std::size_t size_;
 };
 
-/// Events of an LCM log. The constructor scans the file once to find and sort them, and keeps their
-/// places (48 bytes per event). Throws std::runtime_error if the file cannot be read or is not
-/// empty and holds no event.
+/// Events of an LCM log, plain or compressed. The constructor scans the file once to find and sort
+/// them, and keeps their places (48 bytes per event). Views are valid for the lifetime of this
+/// object; the file must not be truncated during it. Throws std::runtime_error if the file cannot
+/// be read or is not empty and holds no event.
 class LogFile final : public EventSource {
  public:
   /// The time of an event for replay; called in the order of the file.
@@ -87,14 +115,20 @@ class LogFile final : public EventSource {
 
   std::optional<LogEventView> next() override;
   [[nodiscard]] std::size_t size() const override { return events_.size(); }
-  [[nodiscard]] const LogHealth& health() const { return reader_.health(); }
+  [[nodiscard]] const LogHealth& health() const { return health_; }
   /// All events, independent of the position of `next`.
   [[nodiscard]] std::span<const LogEventView> events() const { return events_; }
 
  private:
-  LogReader reader_;
+  LogBytes bytes_;
+  LogHealth health_;
   std::vector<LogEventView> events_;
   std::size_t next_ = 0;
 };
+
+/// The logs by the time of their first event, whatever their names: `lcm-logger --rotate` gives the
+/// newest one the first name. Logs without an event come last. Throws std::runtime_error for a log
+/// that cannot be read.
+std::vector<std::filesystem::path> in_order_of_time(std::vector<std::filesystem::path> logs);
 
 }  // namespace adit

@@ -78,6 +78,18 @@ std::size_t LogParser::find_event(std::size_t from, std::size_t to) const {
   return static_cast<std::size_t>(at - bytes_.begin());
 }
 
+/// An event must be complete, and a corrupt region end in one, to be told from what they are not.
+bool LogParser::depends_on_more() const {
+  const auto known = [&](const Extent& extent) {
+    return extent.end + kSyncBytes.size() <= bytes_.size();
+  };
+  if (bytes_.size() - position_ < kHeaderBytes) return true;
+  const auto extent = event_at(position_);
+  if (extent) return !known(*extent);
+  const std::size_t found = find_event(position_ + 1, bytes_.size());
+  return found == bytes_.size() || !known(*event_at(found));
+}
+
 void LogParser::skip_to(std::size_t at) {
   health_.corrupt_bytes += at - position_;
   ++health_.corrupt_regions;
@@ -86,6 +98,7 @@ void LogParser::skip_to(std::size_t at) {
 
 std::optional<LogEventView> LogParser::next() {
   while (position_ < bytes_.size()) {
+    if (end_ == End::kOfPart && depends_on_more()) return std::nullopt;
     const auto extent = event_at(position_);
     const bool complete = extent && extent->end <= bytes_.size();
     if (complete && is_followed_by_event(extent->end)) {
@@ -113,7 +126,9 @@ std::optional<LogEventView> LogParser::next() {
 
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{1} << 13;  // a killed process loses so much
+// A killed process loses so much. Smaller portions compress worse.
+constexpr std::size_t kBufferBytes = std::size_t{1} << 13;
+constexpr std::size_t kCompressedBufferBytes = std::size_t{1} << 16;
 
 void append_big_endian(std::uint64_t value, int bytes, std::string& header) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) {
@@ -136,11 +151,14 @@ std::string header_of(const LogEventView& event, std::int64_t number) {
 
 LogWriter::LogWriter(const std::filesystem::path& path, Name name)
     : new_file_(name == Name::kWhenClosed ? std::make_optional<NewFile>(path) : std::nullopt),
-      file_(new_file_ ? new_file_->part() : path, path) {}
+      file_(new_file_ ? new_file_->part() : path, path) {
+  if (path.extension() == kCompressedExtension) encoder_.emplace();
+}
 
 LogWriter::~LogWriter() {
   try {
     flush();
+    if (encoder_) file_.write(encoder_->end_frame());
   } catch (const FileError&) {  // NOLINT(bugprone-empty-catch): see close()
   }
 }
@@ -150,19 +168,36 @@ void LogWriter::write(const LogEventView& event) {
   buffer_ += event.channel;
   buffer_.append(reinterpret_cast<const char*>(event.data.data()), event.data.size());
   ++events_;
-  if (buffer_.size() >= kBufferBytes) flush();
+  if (buffer_.size() >= (encoder_ ? kCompressedBufferBytes : kBufferBytes)) flush();
 }
 
 /// What cannot be written is dropped, so that a later event does not follow a part of one.
 void LogWriter::flush() {
   const std::string events = std::exchange(buffer_, {});
-  file_.write(events);
+  if (!encoder_) return file_.write(events);
+  const std::string compressed = events.empty() ? std::string() : encoder_->add(events);
+  try {
+    file_.write(compressed);
+  } catch (const FileError&) {
+    encoder_->restart();
+    throw;
+  }
 }
 
 void LogWriter::close() {
   flush();
+  if (encoder_) file_.write(encoder_->end_frame());
   file_.close();
   if (new_file_) new_file_->publish();
+}
+
+std::filesystem::path compressed_name(std::filesystem::path log) {
+  if (log.extension() != LogWriter::kCompressedExtension) log += LogWriter::kCompressedExtension;
+  return log;
+}
+
+std::filesystem::path plain_or_compressed(const std::filesystem::path& log) {
+  return !exists(log) && exists(compressed_name(log)) ? compressed_name(log) : log;
 }
 
 }  // namespace adit

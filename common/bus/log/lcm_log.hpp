@@ -13,6 +13,7 @@
 
 #include "common/files/new_file.hpp"
 #include "common/files/output_file.hpp"
+#include "common/files/zstd_stream.hpp"
 
 namespace adit {
 
@@ -60,9 +61,17 @@ struct LogHealth {
 /// and another event begins inside it. Linear in the number of bytes.
 class LogParser {
  public:
-  explicit LogParser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+  /// What the bytes end with.
+  enum class End {
+    kOfLog,
+    kOfPart,  ///< more bytes follow, to be parsed from `position` on
+  };
 
-  /// The next event, or nothing at the end.
+  explicit LogParser(std::span<const std::uint8_t> bytes, End end = End::kOfLog)
+      : bytes_(bytes), end_(end) {}
+
+  /// The next event, or nothing at the end. Of a part that is before the first event that the bytes
+  /// which follow may change.
   std::optional<LogEventView> next();
 
   /// Final after `next` has returned nothing.
@@ -77,22 +86,28 @@ class LogParser {
   [[nodiscard]] std::optional<Extent> event_at(std::size_t at) const;
   [[nodiscard]] bool is_followed_by_event(std::size_t end) const;
   [[nodiscard]] std::size_t find_event(std::size_t from, std::size_t to) const;
+  [[nodiscard]] bool depends_on_more() const;
   void skip_to(std::size_t at);
 
   std::span<const std::uint8_t> bytes_;
+  End end_;
   std::size_t position_ = 0;
   LogHealth health_;
 };
 
-/// Writes an LCM log with events numbered from 0. Throws FileError with the path if a write fails,
-/// after which the log ends with an earlier, whole event; buffered events are known to be written
-/// only after `close`.
+/// Writes an LCM log with events numbered from 0, compressed with zstd if the name ends with .zst:
+/// frames of a few MB, each of whole events, each readable alone. Throws FileError with the path if
+/// a write fails, after which the log ends with an earlier, whole event; buffered events are known
+/// to be written only after `close`.
 class LogWriter {
  public:
   enum class Name {
     kFromStart,  ///< a recording, of which the part until a power loss counts
     kWhenClosed  ///< a result, which exists as a whole or not at all (NewFile)
   };
+
+  /// Of a compressed log.
+  static constexpr const char* kCompressedExtension = ".zst";
 
   explicit LogWriter(const std::filesystem::path& path, Name name = Name::kFromStart);
 
@@ -113,8 +128,17 @@ class LogWriter {
 
   std::optional<NewFile> new_file_;
   OutputFile file_;
+  std::optional<ZstdEncoder> encoder_;
   std::string buffer_;  ///< whole events
   std::int64_t events_ = 0;
 };
+
+enum class LogForm { kPlain, kCompressed };
+
+/// The name of the compressed form of a log.
+std::filesystem::path compressed_name(std::filesystem::path log);
+
+/// A log by its plain name: the compressed one if only that exists.
+std::filesystem::path plain_or_compressed(const std::filesystem::path& log);
 
 }  // namespace adit

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "procs/exploration/map/corridor_width.hpp"
 #include "procs/exploration/map/skeleton_graph.hpp"
 
 namespace adit {
@@ -158,6 +159,7 @@ class Simplifier {
 
   CorridorGraph result() {
     CorridorGraph result;
+    const CorridorWidth width(space_);
     std::vector<int> number(graph_.nodes.size(), -1);
     const auto number_of = [&](int n) {
       int& assigned = number[static_cast<std::size_t>(n)];
@@ -171,8 +173,9 @@ class Simplifier {
       if (line.removed) continue;
       const int from = number_of(line.from);
       const int to = number_of(line.to);
-      result.corridors.push_back({from, to, length_of(line.points), 2.0 * line.clearance_m,
-                                  simplified(line.points, kStraightM)});
+      const double width_m = width.of(line.points).value_or(2.0 * line.clearance_m);
+      result.corridors.push_back(
+          {from, to, length_of(line.points), width_m, simplified(line.points, kStraightM)});
     }
     return result;
   }

@@ -23,6 +23,7 @@ struct CorridorGraphParams {
 
 /// The topological map of the mine: the skeleton graph without the spurs that rough walls cause.
 /// In atlas. Niches are not dead ends, and junctions within the width of a corridor are merged.
+/// Where the walls of a corridor are not known, its width is twice the least clearance.
 CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
                              const std::vector<DetectedFrontier>& frontiers,
                              const CorridorGraphParams& params);

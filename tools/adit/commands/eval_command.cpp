@@ -10,6 +10,7 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/bus/log/lcm_log.hpp"
 #include "common/command_line/command_line.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
@@ -60,7 +61,8 @@ constexpr const char* kEvalMapExamples =
   adit eval map mine --world random --seed 7 --truth truth.tum)";
 
 Trajectory true_trajectory(const EvalMapOptions& options) {
-  if (options.truth.empty()) return read_ground_truth(options.folder / "run.lcmlog");
+  if (options.truth.empty())
+    return read_ground_truth(plain_or_compressed(options.folder / "run.lcmlog"));
   return read_tum(options.truth);
 }
 

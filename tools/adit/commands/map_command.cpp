@@ -10,7 +10,7 @@
 #include "common/command_line/command_line.hpp"
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
-#include "tools/adit/progress_bar.hpp"
+#include "tools/adit/run_progress.hpp"
 #include "tools/map/map_run.hpp"
 
 namespace adit {
@@ -47,14 +47,10 @@ constexpr const char* kMapExamples =
   adit map run.lcmlog --out mine --config my.yaml)";
 
 void map(const MapRunOptions& options) {
-  std::optional<ProgressBar> bar;
-  std::string shown_label;
-  const MapRunResult result = run_map(options, [&](const std::string& label, double done) {
-    if (label != shown_label) bar.emplace(label);
-    shown_label = label;
-    bar->update(done);
-  });
-  bar.reset();
+  std::optional<RunProgress> progress(std::in_place, options.folder);
+  const MapRunResult result =
+      run_map(options, [&](const std::string& step, double done) { progress->update(step, done); });
+  progress.reset();
   for (const std::string& message : result.warnings) {
     print_error("adit", fmt::format("{}: {}", options.input.string(), message));
   }

@@ -86,7 +86,8 @@ stages run in this process, and the same options give the same log to the byte.
 
 Outputs in DIR:
   mission.html ..   the report and its files, see adit report --help
-  run.lcmlog        all messages; run_2.lcmlog .. after --resume
+  run.lcmlog        all messages; run_2.lcmlog .. after --resume; with --compress run.lcmlog.zst ..,
+                    which all commands read; adit export makes a plain one for lcm-logplayer
   phases.tsv        phases of the mission and their reasons
   *.journal         state of the stages, for --resume
   *.yaml, *.cfg     configuration of all processes
@@ -94,6 +95,7 @@ Outputs in DIR:
 During the mission:
   adit ps --socket DIR/supervisor.sock       list its processes; also adit logs NAME, adit restart NAME
   adit order return --mission DIR            order it to pause, resume, return or stop
+  adit spy --mission DIR                     inspect its messages in lcm-spy, and draw the mine there
 
 Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
 
@@ -139,6 +141,7 @@ void run_in_process(const MissionLiveOptions& mission) {
   options.config = mission.config;
   options.faults = mission.faults;
   options.time_max_s = mission.time_max_s;
+  options.log_form = mission.log_form;
   MissionProgressPrinter printer;
   const auto begin = std::chrono::steady_clock::now();
   const MissionRunResult result = run_mission(options, [&](const MissionProgress& progress) {
@@ -162,6 +165,9 @@ void run_processes(const MissionLiveOptions& mission) {
     for (const std::string& report : journal_reports(MissionFolder(folder)))
       printer.print_message(report);
   }
+  std::cout << fmt::format("to see its messages meanwhile: adit spy --mission {}\n",
+                           mission.folder.string())
+            << std::flush;
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) { printer.update(progress, wall_s); },
@@ -214,6 +220,9 @@ void add_options(CLI::App& command, MissionOptions& options) {
                   "Simulated time after which the mission is aborted")
       ->type_name("SECONDS")
       ->check(number_in(above(0.0)));
+  command.add_flag_callback(
+      "--compress", [&mission] { mission.log_form = LogForm::kCompressed; },
+      "Record run.lcmlog.zst, compressed with zstd, a third of the size");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -11,20 +12,16 @@
 #include "common/command_line/command_line.hpp"
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
-#include "tools/adit/progress_bar.hpp"
+#include "tools/adit/run_progress.hpp"
 #include "tools/report/report.hpp"
 
 namespace adit {
 
 void print_report(const ReportOptions& options) {
-  std::optional<ProgressBar> bar;
-  std::string shown_label;
-  const MissionReport result = write_report(options, [&](const std::string& label, double done) {
-    if (label != shown_label) bar.emplace(label);
-    shown_label = label;
-    bar->update(done);
-  });
-  bar.reset();
+  std::optional<RunProgress> progress(std::in_place, options.folder);
+  const MissionReport result = write_report(
+      options, [&](const std::string& step, double done) { progress->update(step, done); });
+  progress.reset();
   for (const std::string& message : result.warnings) print_error("adit", message);
   if (!result.accuracy.empty()) std::cout << result.accuracy << "\n";
   std::cout << message_line(fmt::format("{}: {}", (options.folder / "mission.html").string(),
@@ -48,13 +45,14 @@ constexpr const char* kReportDetails =
   summary.json          figures, and the configuration of each stage
   run.lcmlog            the log
 
-Several logs are the logs of one mission after restarts, in order of time. The map is read from the log
+Several logs are the logs of one mission after restarts, or the files of a recording; they are read by the
+time of their first message, whatever their order and names. The map is read from the log
 (LOCAL_MAP, POSE_GRAPH); --remap computes it from the laser scans and their matches. Outputs whose messages
 are missing in the log are omitted with a warning.)";
 
 constexpr const char* kReportExamples =
     R"(  adit report run.lcmlog --out mission
-  adit report before.lcmlog after.lcmlog --out mission
+  adit report run-*.lcmlog* --out mission                  all files of a recording of adit-record
   adit report run.lcmlog --out remapped --remap)";
 
 }  // namespace
@@ -65,7 +63,7 @@ void add_report_command(CLI::App& adit) {
                   "Create the report of a mission from its log: HTML page, maps, 3D map, figures");
   set_help(*command, {kReportDetails, "", kReportExamples});
   const auto options = std::make_shared<ReportOptions>();
-  command->add_option("LOG", options->logs, "LCM logs of one mission, in order of time")
+  command->add_option("LOG", options->logs, "LCM logs of one mission")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", options->folder, "Output folder; created if it does not exist")

@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log/lcm_log.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/bus/node/stages.hpp"
-#include "common/files/mapped_file.hpp"
 #include "common/messages/codec.hpp"
 
 namespace adit {
@@ -59,10 +58,9 @@ bool LogInfo::simulated() const {
 LogInfo read_log_info(const std::vector<std::filesystem::path>& logs) {
   LogInfo log_info;
   for (const auto& path : logs) {
-    const MappedFile file(path);
-    LogParser parser(file.bytes());
-    while (const auto event = parser.next()) add_event(*event, log_info);
-    add_warnings(parser.health(), path.filename().string(), log_info);
+    LogReader reader(path);
+    while (const auto event = reader.next()) add_event(*event, log_info);
+    add_warnings(reader.health(), path.filename().string(), log_info);
   }
   if (log_info.messages.empty()) {
     throw std::runtime_error(

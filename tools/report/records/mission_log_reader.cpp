@@ -15,9 +15,8 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log/lcm_log.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/files/mapped_file.hpp"
 #include "common/messages/fields/quantities.hpp"
 
 namespace adit {
@@ -41,17 +40,15 @@ bool is_plausible_at(std::int64_t utime, const MemoryBus& bus) {
 void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& selected,
                MemoryBus& bus, const std::function<void(double)>& progress) {
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    const MappedFile file(logs[i]);
-    LogParser parser(file.bytes());
+    LogReader reader(logs[i]);
     std::size_t events = 0;
-    while (const auto event = parser.next()) {
+    while (const auto event = reader.next()) {
       if (selected.contains(event->channel) && is_plausible_at(event->utime, bus)) {
         bus.inject(event->utime, event->channel, event->data);
       }
       if (++events % kEventsPerProgress != 0) continue;
-      const double share =
-          static_cast<double>(parser.position()) / static_cast<double>(file.bytes().size());
-      progress((static_cast<double>(i) + share) / static_cast<double>(logs.size()));
+      progress((static_cast<double>(i) + reader.fraction_read()) /
+               static_cast<double>(logs.size()));
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -28,7 +30,8 @@ const RgbImage::Pixel kUnknownPixel{255, 0, 255};
 
 constexpr double kPathStepUnits = 0.6;      // below the resolution of a screen
 constexpr double kDirectionUnits = 12.0;    // length of the line at a frontier
-constexpr double kScanRadiusUnits = 7.5;    // of the circle around a number
+constexpr double kScanRadiusUnits = 7.5;    // of the circle around a number of two digits
+constexpr double kDigitUnits = 2.6;         // added to it for each further digit
 constexpr double kScanSpacingUnits = 16.0;  // between rows of numbers beside the path
 constexpr int kScanRowsMax = 4;
 
@@ -90,27 +93,38 @@ std::string frontier_svg(const Frontier& frontier, const MapView& view, const st
                      svg_circle("frontier " + css, at, done ? 2.6 : 4.5, text));
 }
 
+double badge_radius(int number) {
+  const auto further = static_cast<int>(std::to_string(number).size()) - 2;
+  return kScanRadiusUnits + kDigitUnits * std::max(further, 0);
+}
+
 std::string scan_svg(const ScanMark& scan, const Eigen::Vector2d& position,
                      const Eigen::Vector2d& label, const std::string& page) {
   return fmt::format(
       R"(<a class="{}" href="{}#scan-{}"><title>{}</title>{}{}<text x="{}" y="{}">{}</text></a>)",
       scan.has_path ? "scan" : "scan no-path", page, scan.number, escaped(scan.text),
       svg_path_element("lead", line_data(position, label)),
-      svg_circle("mark", label, kScanRadiusUnits), fixed(label.x(), 1), fixed(label.y() + 3.0, 1),
-      scan.number);
+      svg_circle("mark", label, badge_radius(scan.number)), fixed(label.x(), 1),
+      fixed(label.y() + 3.0, 1), scan.number);
 }
+
+struct Badge {
+  Eigen::Vector2d at;
+  double radius;
+};
 
 /// The nearest position to the left of a scan where its number covers no other.
 Eigen::Vector2d free_label_position(const Eigen::Vector2d& position, const Eigen::Vector2d& left,
-                                    const std::vector<Eigen::Vector2d>& occupied) {
+                                    double radius, const std::vector<Badge>& occupied) {
   const auto is_free = [&](const Eigen::Vector2d& at) {
-    return std::none_of(occupied.begin(), occupied.end(), [&](const Eigen::Vector2d& other) {
-      return (other - at).norm() < 2.0 * kScanRadiusUnits;
+    return std::none_of(occupied.begin(), occupied.end(), [&](const Badge& other) {
+      return (other.at - at).norm() < radius + other.radius;
     });
   };
+  const double spacing = kScanSpacingUnits * radius / kScanRadiusUnits;
   int row = 1;
-  while (row < kScanRowsMax && !is_free(position + row * kScanSpacingUnits * left)) ++row;
-  return position + row * kScanSpacingUnits * left;
+  while (row < kScanRowsMax && !is_free(position + row * spacing * left)) ++row;
+  return position + row * spacing * left;
 }
 
 }  // namespace
@@ -209,14 +223,15 @@ std::string frontiers_svg(const std::vector<Frontier>& frontiers, const MapView&
 
 std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
                       const std::string& page) {
-  std::vector<Eigen::Vector2d> occupied;
+  std::vector<Badge> occupied;
   std::string parts;
   for (const ScanMark& scan : scans) {
     const double heading = scan.T_map_laser.theta;
     const Eigen::Vector2d position = view.at(scan.T_map_laser.translation());
     const Eigen::Vector2d left(-std::sin(heading), -std::cos(heading));
-    occupied.push_back(free_label_position(position, left, occupied));
-    parts += scan_svg(scan, position, occupied.back(), page);
+    const double radius = badge_radius(scan.number);
+    occupied.push_back({free_label_position(position, left, radius, occupied), radius});
+    parts += scan_svg(scan, position, occupied.back().at, page);
   }
   return svg_group("layer-scans", parts);
 }

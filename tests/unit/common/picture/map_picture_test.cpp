@@ -80,6 +80,23 @@ TEST_F(MapPng, DrawsNoLineToTheStartOfAnotherSession) {
   EXPECT_NE(joined, contents(path_));
 }
 
+TEST_F(MapPng, ShowsEachKindOfPlace) {
+  using Kind = MapPicture::Place::Kind;
+  MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
+  std::set<std::string> pictures;
+  const auto draw = [&] {
+    write_map_png(room(), picture, path_);
+    pictures.insert(contents(path_));
+  };
+  draw();
+  for (const Kind kind : {Kind::kScan, Kind::kJunction, Kind::kDeadEnd, Kind::kBlockedFrontier,
+                          Kind::kOpenFrontier}) {
+    picture.places = {{{-3.0, 2.0}, kind}};
+    draw();
+  }
+  EXPECT_EQ(pictures.size(), 6U);
+}
+
 TEST_F(MapPng, ShowsEachPartOfThePoseGraph) {
   MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
   const GraphPicture::Edge edge{{0.0, 0.0}, {2.0, 1.0}};

@@ -106,6 +106,13 @@ TEST_F(AditCommand, ReportsInvalidUsageInOneLineWithExitCodeTwo) {
 
 constexpr const char* kEdge = "EDGE_SE2 3 4 1 0 0 1 0 0 1 0 1\n";
 
+TEST_F(AditCommand, OrderNamesItsChoices) {
+  const CommandResult outcome = adit({"order", "fly"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr("fly"), HasSubstr("{pause,resume,return,stop}; see adit --help")));
+}
+
 TEST_F(AditCommand, OptimizesAGraphAndWritesItsPoses) {
   std::ofstream(at("g.g2o")) << kEdge << "EDGE_SE2 3 4 2 0 0 1 0 0 1 0 1\n";
   const CommandResult outcome = adit({"optimize", at("g.g2o"), "--out", at("best.g2o")});

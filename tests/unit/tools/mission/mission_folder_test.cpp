@@ -51,6 +51,18 @@ TEST(MissionFolder, FindsTheLastPoseInTheNewestLogWithTruth) {
   EXPECT_EQ(folder.logs().size(), 3);
 }
 
+TEST(MissionFolder, HasCompressedLogsBesidePlainOnes) {
+  const test::ScratchFolder scratch;
+  const MissionFolder folder(scratch.path());
+  write_log(folder.next_log(), 1.0);
+  const auto second = folder.next_log(LogForm::kCompressed);
+  EXPECT_EQ(second.filename(), "run_2.lcmlog.zst");
+  write_log(second, 2.0);
+  EXPECT_EQ(folder.logs().size(), 2);
+  EXPECT_EQ(folder.last_pose().T_world_body.translation(), Eigen::Vector2d(2.0, 0.5));
+  EXPECT_EQ(folder.next_log().filename(), "run_3.lcmlog");
+}
+
 TEST(MissionFolder, DoesNotResumeAMissionThatHasEnded) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path());

@@ -3,6 +3,7 @@
 #include "tools/report/report.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -132,6 +133,7 @@ TEST_F(Report, WritesCorridorsInMetres) {
   run();
   const json geo = json::parse(text("junctions.geojson"));
   EXPECT_EQ(geo["type"], "FeatureCollection");
+  EXPECT_THAT(geo["crs"]["properties"]["name"].get<std::string>(), StartsWith("ENGCRS["));
   EXPECT_THAT(geo["coordinates_are"].get<std::string>(), HasSubstr("not longitude"));
   ASSERT_EQ(geo["features"].size(), 6U);  // two ends, a corridor, three frontiers
   EXPECT_EQ(geo["features"][2]["geometry"]["coordinates"], (json{{0.0, 0.0}, {15.0, 0.0}}));
@@ -256,6 +258,27 @@ TEST_F(Report, JoinsTheLogsOfOneMission) {
   write_report({{folder_ / "b.lcmlog", folder_ / "c.lcmlog"}, out()});
   EXPECT_EQ(summary(), complete);
   EXPECT_EQ(LogFile(out() / "run.lcmlog").size(), LogFile(folder_ / "a.lcmlog").size());
+}
+
+/// lcm-logger --rotate names the newest file first.
+TEST_F(Report, ReadsTheLogsByTimeWhateverTheirNames) {
+  run();
+  const json complete = summary();
+  test::write_mission_log(folder_ / "run.lcmlog.1", {{}, 0.0, 25.0});
+  test::write_mission_log(folder_ / "run.lcmlog.0", {{}, 25.0});
+  std::ofstream(folder_ / "run.lcmlog.2").close();  // killed before its first event
+  write_report({{folder_ / "run.lcmlog.0", folder_ / "run.lcmlog.1"}, out()});
+  EXPECT_EQ(summary(), complete);
+  LogReader log(out() / "run.lcmlog");
+  std::int64_t last = 0;
+  while (const auto event = log.next()) {
+    EXPECT_LE(last, event->utime);
+    last = event->utime;
+  }
+  EXPECT_THAT(
+      in_order_of_time(
+          {folder_ / "run.lcmlog.2", folder_ / "run.lcmlog.0", folder_ / "run.lcmlog.1"}),
+      ElementsAre(folder_ / "run.lcmlog.1", folder_ / "run.lcmlog.0", folder_ / "run.lcmlog.2"));
 }
 
 TEST_F(Report, KeepsALogInItsFolder) {

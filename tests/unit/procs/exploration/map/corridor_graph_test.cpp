@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,12 +18,35 @@ namespace {
 using Kind = CorridorNode::Kind;
 
 /// The corridors of a completely explored mine.
-CorridorGraph corridors_of(const std::vector<Tunnel>& tunnels, double width_m = 3.0, int seed = 1) {
+CorridorGraph corridors_of(const test::PlanarMine& mine) {
   Exploration exploration{ExplorationParams{}};
-  const auto mine = tunnel_mine(tunnels, width_m, seed);
   const auto run = test::run_exploration(mine, exploration, 2000.0);
   EXPECT_TRUE(run.complete);
   return exploration.corridors();
+}
+
+CorridorGraph corridors_of(const std::vector<Tunnel>& tunnels, double width_m = 3.0, int seed = 1) {
+  return corridors_of(tunnel_mine(tunnels, width_m, seed));
+}
+
+/// Four walls of 0.2 m around p.
+void add_post(const Eigen::Vector2d& p, std::vector<test::Segment>& walls) {
+  const std::vector<Eigen::Vector2d> corners{{p.x() - 0.1, p.y() - 0.1},
+                                             {p.x() + 0.1, p.y() - 0.1},
+                                             {p.x() + 0.1, p.y() + 0.1},
+                                             {p.x() - 0.1, p.y() + 0.1}};
+  for (std::size_t i = 0; i < 4; ++i) walls.push_back({corners[i], corners[(i + 1) % 4]});
+}
+
+/// A tunnel of 4 m by 40 m with rows of posts, a pair each 2 m.
+test::PlanarMine timbered_tunnel(double right_m, double left_m) {
+  std::vector<test::Segment> walls{
+      {{-3, -2}, {37, -2}}, {{37, -2}, {37, 2}}, {{37, 2}, {-3, 2}}, {{-3, 2}, {-3, -2}}};
+  for (double x = 2.0; x < 36.0; x += 2.0) {
+    add_post({x, -right_m}, walls);
+    add_post({x, left_m}, walls);
+  }
+  return test::planar_mine(std::move(walls), {});
 }
 
 std::vector<Eigen::Vector2d> places(const CorridorGraph& graph, Kind kind) {
@@ -57,7 +83,19 @@ TEST(Corridors, HaveTheLengthAndWidthOfTheTunnels) {
   const CorridorGraph graph = corridors_of(junction());
   // 22 m from the start, or from where the robot's rear would be, and twice 20 m.
   EXPECT_NEAR(graph.length_m(), 22.0 + 40.0, 2.0 * kEndM + 1.5);
-  for (const Corridor& corridor : graph.corridors) EXPECT_NEAR(corridor.width_m, 3.0, 0.7);
+  for (const Corridor& corridor : graph.corridors) EXPECT_NEAR(corridor.width_m, 3.0, 0.4);
+}
+
+/// Of timber along both walls, near them and far from them, and along one.
+TEST(Corridors, AreAsWideAsTheRockBehindThePosts) {
+  for (const auto& [right_m, left_m] : {std::pair(1.0, 1.0), {1.4, 1.2}, {0.6, 1.6}}) {
+    const CorridorGraph graph = corridors_of(timbered_tunnel(right_m, left_m));
+    EXPECT_GT(graph.length_m(), 20.0);
+    for (const Corridor& corridor : graph.corridors) {
+      if (corridor.length_m < 3.0) continue;  // between posts that the vehicle passes on both sides
+      EXPECT_NEAR(corridor.width_m, 4.0, 0.3) << right_m << ", " << left_m;  // cells of 0.2 m
+    }
+  }
 }
 
 TEST(Corridors, MeetInOneJunctionAtACrossing) {

@@ -135,7 +135,7 @@ if (known) {
     expect((await page.locator("#panel-card img").count()) === 1, "no picture");
   });
   await check("file: water is found in the table of hazards", async () => {
-    expect(/water0.45 m106.0, 0.0/.test(await text(page, "panel-hazards")), await text(page, "panel-hazards"));
+    expect(/water0.45 m100 m \+ 6 m \(106.0 E, 0.0 N\)/.test(await text(page, "panel-hazards")), await text(page, "panel-hazards"));
   });
   await check("file: the slider moves the robot", async () => {
     await page.locator("#fit").click();

@@ -49,6 +49,8 @@ export function robotAt(t: number): { x: number; y: number; heading: number } {
   return t <= 100 ? { x: t, y: 0, heading: 0 } : { x: 200 - t, y: 0, heading: Math.PI };
 }
 const yaw = (a: number) => ({ x: 0, y: 0, z: Math.sin(a / 2), w: Math.cos(a / 2) });
+/** Timber posts of 0.2 m beside the axis, each 2 m from x = 40 m to 50 m. */
+export const isPost = (x: number, y: number) => x > 39.95 && x < 50.15 && ((x + 0.05) % 2) < 0.2 && y > 0.8 && y < 1.0;
 const isFree = (x: number, y: number) => (x > 0 && x < 110 && Math.abs(y) < kTunnelWidth_m / 2) || (Math.abs(x - 60) < kDriftWidth_m / 2 && y >= 0 && y < 42);
 
 function grid(t: number): object {
@@ -57,7 +59,7 @@ function grid(t: number): object {
   for (let row = 0, at = 0; row < kRows; ++row) {
     for (let column = 0; column < kColumns; ++column, at += 6) {
       const x = kOrigin.x + (column + 0.5) * kCell_m, y = kOrigin.y + (row + 0.5) * kCell_m;
-      const free = isFree(x, y);
+      const free = isFree(x, y) && !isPost(x, y);
       const edge = 0.3;
       const wall = !free && (isFree(x + edge, y) || isFree(x - edge, y) || isFree(x, y + edge) || isFree(x, y - edge));
       const known = (free || wall) && x < reach && !(y > 30) && (y < 3 || reach > 62);

@@ -46,6 +46,10 @@ describe("width", () => {
     for (const y of [0.04, -1.3, 1.7]) expect(widthAt(grid, 30, y)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
     expect(widthAt(grid, 60.3, 20)!.width_m).toBeCloseTo(kDriftWidth_m, 2);
   });
+  it("is that between the walls where posts stand in the tunnel", () => {
+    for (const x of [42.05, 44.3, 45, 46.05, 48.1]) expect(widthAt(grid, x, 0)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
+    expect(widthAt(grid, 44.1, 1.3)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
+  });
   it("is none in walls and unknown ground", () => {
     expect(widthAt(grid, 30, 2.15)).toBeNull();
     expect(widthAt(grid, 30, 20)).toBeNull();
@@ -103,6 +107,12 @@ describe("map", () => {
   it("places no label on another", () => {
     const labels = new Labels();
     expect([labels.take(0, 0, 10, 10), labels.take(5, 5, 10, 10), labels.take(10, 0, 10, 10)]).toEqual([true, false, true]);
+  });
+  it("places a text on another side of its symbol where the first is taken", () => {
+    const labels = new Labels();
+    labels.block(-5, -5, 10, 10);
+    expect(labels.beside(0, 0, 40, 14, 8)).toEqual({ x: 8, y: -7 });
+    expect(labels.beside(0, 0, 40, 14, 8)).toEqual({ x: -48, y: -7 });
   });
   it("steps in 1, 2, 5", () => { expect([roundStep(7), roundStep(0.3), roundStep(13)]).toEqual([5, 0.2, 10]); });
 });

@@ -15,6 +15,7 @@ import { TimeBar } from "./shell/time_bar";
 import { Toolbar } from "./shell/toolbar";
 import { ViewTime } from "./shell/view_time";
 import { isKnown, Model } from "./state/model";
+import { frontiersOf } from "./state/scene";
 import { wireTheme } from "./theme";
 import { VolumeView } from "./view3d/volume_view";
 
@@ -80,5 +81,16 @@ function connect(): void {
   time.source.connect();
 }
 
+/** "#scan-3" and "#frontier-3", to which map.svg links. */
+function followHash(): void {
+  const [, kind, id] = /^#(scan|frontier)-(\d+)$/.exec(location.hash) ?? [];
+  const scan = kind === "scan" ? model.scans.get(Number(id)) : undefined;
+  const frontier = kind === "frontier" ? frontiersOf(model.frontiers.at(time.now_s)?.value ?? []).find((known) => known.id === id) : undefined;
+  if (scan) panels.openScan(scan.number);
+  const place = scan ?? frontier;
+  if (place) map.centre(place.x, place.y);
+}
+
+window.addEventListener("hashchange", followHash);
 requestAnimationFrame(frame);
-void loadEmbedded(model).then((isFile) => { if (!isFile) connect(); });
+void loadEmbedded(model).then((isFile) => { if (isFile) followHash(); else connect(); });

@@ -50,6 +50,7 @@ export class MapView {
   }
 
   centre(x: number, y: number): void {
+    this.#isFitted = true;
     this.camera.x = x;
     this.camera.y = y;
     this.camera.scale = Math.max(this.camera.scale, kCentreScale);

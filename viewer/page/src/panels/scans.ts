@@ -11,6 +11,19 @@ const kRowLimit = 400;
 const kPicture = /^data:image\/(png|jpeg|svg\+xml);base64,/;
 const kCaptions: Record<string, string> = { terrain: "terrain with the planned path", c_space: "C-space at the heading of the path", view: "points, in the direction of the laser" };
 
+/** Colours of the pictures: of the ground (tools/report draws them), and of the cells that block the path. */
+const kPictureLegend: [colour: string, meaning: string][] = [
+  ["linear-gradient(90deg, #fff, #000)", "terrain: 0 to 0.3 m of roughness; C-space: even to rough, black not passable"], ["#e2d6b5", "not scanned"], ["#b3a6cf", "in shadow"],
+  ["#e8b184", "below a beam"], ["#86b5dc", "no return: possible water"], ["#0d8a4e", "planned path, outlines of the vehicle"], ["#0b5fff", "goal"],
+  ["#ff00b8", "blocked: step"], ["#e0182d", "blocked: too high for the belly"], ["#7b1fa2", "blocked: roof too low"], ["#d9ab00", "blocked: unknown"],
+  ["#1560bd", "blocked: possible water"], ["#7a4a21", "blocked: too steep"], ["#008b8b", "blocked: drop"],
+];
+
+function pictureLegend(): HTMLElement {
+  return el("details", {}, el("summary", {}, "Legend"), el("div", { class: "legend" },
+    ...kPictureLegend.map(([colour, meaning]) => el("label", {}, el("span", { class: "swatch", style: `background:${colour}` }), meaning))));
+}
+
 export class ScansPanel extends Panel {
   constructor(private readonly model: Model, private readonly open: (number: number) => void) { super("panel-scans", "3D scans", "scroll screen"); }
 
@@ -48,6 +61,7 @@ export class CardPanel extends Panel {
       table(["plan", "reason", "reached", "length", "clearance"], list(scan.raw.plans).map((plan) => [str(raw(plan).outcome), str(raw(plan).reason),
         fixed(num(raw(plan).reached_m), 1, "m"), fixed(num(raw(plan).length_m), 1, "m"), fixed(num(raw(plan).clearance_m), 2, "m")])),
       ...pictures.map(([name, url]) => el("figure", {}, el("img", { src: String(url), alt: kCaptions[name] ?? name }), el("figcaption", {}, kCaptions[name] ?? name))),
+      ...(pictures.length > 0 ? [pictureLegend()] : []),
       el("p", {}, step(-1), " ", step(1), " ", button("close", () => { this.#open = null; this.show(); })),
     ];
   }

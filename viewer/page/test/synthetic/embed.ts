@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Writes the synthetic mission into the built page: vite-node test/synthetic/embed.ts OUT.html */
-import { readFileSync, writeFileSync } from "node:fs";
-import { fileURLToPath } from "node:url";
+import { writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { channels, kDuration_s, messagesAt, summary } from "./mine";
+import { builtPage } from "./page";
 
 export function embeddedBytes(step_s = 10): Buffer {
   const header = Buffer.from(JSON.stringify({ serverInfo: { op: "serverInfo", name: "adit", capabilities: [], metadata: { source: "file", title: "Synthetic mine", orders: "false" } }, channels }));
@@ -24,9 +24,8 @@ export function embeddedBytes(step_s = 10): Buffer {
 }
 
 export function writeEmbedded(path: string): void {
-  const page = readFileSync(fileURLToPath(new URL("../../dist/page.html", import.meta.url)), "utf8");
   const data = gzipSync(embeddedBytes()).toString("base64");
-  writeFileSync(path, page.replace("</body>", () => `<script id="mission-data" type="application/octet-stream">${data}</script>\n</body>`));
+  writeFileSync(path, builtPage().replace("</body>", () => `<script id="mission-data" type="application/octet-stream">${data}</script>\n</body>`));
 }
 
 if (process.argv[2]?.endsWith(".html")) writeEmbedded(process.argv[2]);

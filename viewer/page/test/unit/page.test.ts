@@ -7,6 +7,7 @@ import { widthAt } from "../../src/map/width";
 import { decodePlaybackState, encodePlaybackRequest } from "../../src/protocol/playback";
 import { readRecords } from "../../src/protocol/embedded";
 import { Chainage } from "../../src/state/chainage";
+import { countUpTo, sortedByScan } from "../../src/state/cloud";
 import { Model } from "../../src/state/model";
 import { Series } from "../../src/state/series";
 import { Timeline } from "../../src/state/timeline";
@@ -65,6 +66,15 @@ describe("chainage", () => {
   });
   it("finds the nearest point", () => {
     expect(line.nearest(11, 3)).toEqual({ distance_m: 13, offset_m: 1 });
+  });
+});
+
+describe("cloud", () => {
+  const cloud = { count: 4, received: 4, xyz: Float32Array.from([3, 0, 0, 1, 0, 0, 2, 0, 0, 1.5, 0, 0]), scan: Uint16Array.from([3, 1, 2, 1]), clearance: Uint8Array.from([30, 10, 20, 15]) };
+  it("is put in the order of its scans", () => {
+    const sorted = sortedByScan(cloud);
+    expect([[...sorted.scan!], [...sorted.clearance!], sorted.xyz[3]]).toEqual([[1, 1, 2, 3], [10, 15, 20, 30], 1.5]);
+    expect([0, 1, 2, 9].map((scan) => countUpTo(sorted, scan))).toEqual([0, 2, 3, 4]);
   });
 });
 

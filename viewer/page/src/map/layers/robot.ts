@@ -7,7 +7,8 @@ import { colour } from "../../theme";
 import type { Brush } from "../brush";
 import type { Layer } from "./layer";
 
-const kScanAge_s = 1;  // older returns do not show what is around the robot now
+const kScanAge_s = 2.5;  // older returns do not show what is around the robot now
+const kTransformAge_s = 0.3;
 
 function drawReturns(brush: Brush, laser: Laser, T_map_laser: Pose): void {
   const { ranges, start_rad, end_rad } = laser;
@@ -25,11 +26,12 @@ function drawReturns(brush: Brush, laser: Laser, T_map_laser: Pose): void {
 export const kLasers: Layer = {
   key: "lasers", label: "lasers now", swatch: "laser", on: true,
   draw({ brush, model, time_s }) {
-    const transforms = model.tf.at(time_s)?.value;
     for (const timeline of [model.laserFront, model.laserRear]) {
       const found = timeline.at(time_s);
-      const T_map_laser = found && transforms && time_s - found.time_s < kScanAge_s ? poseInMap(transforms, found.value.frame) : null;
-      if (found && T_map_laser) drawReturns(brush, found.value, T_map_laser);
+      if (!found || time_s - found.time_s > kScanAge_s) continue;
+      const transforms = model.tf.at(found.time_s + kTransformAge_s);
+      const T_map_laser = transforms && found.time_s - transforms.time_s < kTransformAge_s ? poseInMap(transforms.value, found.value.frame) : null;
+      if (T_map_laser) drawReturns(brush, found.value, T_map_laser);
     }
   },
 };

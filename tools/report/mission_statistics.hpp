@@ -49,6 +49,7 @@ struct FrontierCounts {
   std::size_t open = 0;
   std::size_t blocked = 0;      ///< of those closed
   std::size_t unconfirmed = 0;  ///< of those open: abandoned without evidence that they are blocked
+  std::size_t visitable = 0;    ///< of those open: they may still be visited
 };
 
 /// Figures of a mission. Optional ones are empty if the log lacks their channels.

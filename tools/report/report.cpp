@@ -17,8 +17,9 @@
 #include "common/files/file_utils.hpp"
 #include "common/files/mapped_file.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/report/html/mission_page.hpp"
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/text_format.hpp"
+#include "tools/report/page/mission_html.hpp"
+#include "tools/report/page/scan_cards.hpp"
 #include "tools/report/records/mission_log_reader.hpp"
 #include "tools/report/report_files.hpp"
 
@@ -94,7 +95,7 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
   };
   const LogInfo log_info = read_mission_log_info(options);
   const ResultFolder results(options.folder);
-  MissionLogReader reader(log_info, options.remap);
+  MissionLogReader reader(log_info, options.remap, viewer_page());
   reader.read(options, [&](double done) { report_progress("reading", done); });
 
   report_progress("drawing", 0.0);
@@ -115,9 +116,13 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
            {records, statistics, content, reader.volume(), title}, results.unfinished())) {
     report.warnings.push_back(std::move(warning));
   }
-  const std::string page = mission_page(records, statistics, content, title, report.warnings);
-  report.page_bytes = page.size();
-  write_text_file(page, results.unfinished() / "mission.html");
+  if (auto& page = reader.page()) {
+    const std::string html = page->html(records, statistics, map, title, report.warnings);
+    report.page_bytes = html.size();
+    write_text_file(html, results.unfinished() / "mission.html");
+  } else {
+    report.warnings.emplace_back("no mission.html: this build has no page of the viewer");
+  }
   store_log(options.logs, options.folder, results.unfinished());
   results.publish();
   report_progress("writing", 1.0);

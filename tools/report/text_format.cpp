@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/text_format.hpp"
 
 #include <cctype>
 #include <cmath>

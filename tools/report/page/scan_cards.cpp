@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/page/scan_cards.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "tools/report/html/markup.hpp"
-#include "tools/report/html/mission_page.hpp"
-#include "tools/report/html/text_format.hpp"
-#include "tools/report/svg/terrain_svg.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
+
+using Json = nlohmann::json;
 
 bool is_path_found(const RecordedPlan& plan) { return plan.outcome == PlanOutcome::kFound; }
 
@@ -35,89 +38,54 @@ std::string plan_text(const RecordedPlan& plan) {
   return text + ".";
 }
 
-std::string pose_text(const std::optional<Pose2>& T_map_body) {
-  if (!T_map_body) return "unknown";
-  return fmt::format("{}, {}, heading {}°", metres(T_map_body->x), metres(T_map_body->y),
-                     fixed(rad_to_deg(T_map_body->theta), 0));
-}
-
-std::string picture(const std::string& html, const std::string& caption_text) {
-  if (html.empty()) return "";
-  return element("figure", html + element("figcaption", escaped(caption_text)));
-}
-
-std::string scan_properties(const RecordedScan& scan, const std::optional<Pose2>& T_map_body) {
-  const char* laser = !scan.laser ? "unknown" : *scan.laser == LaserId::kFront ? "front" : "rear";
-  return html_metrics(
-      {{"Time", clock_text(scan.utime)},
-       {"Laser", laser},
-       {"Pose in the map", pose_text(T_map_body)},
-       {"Points", fmt::format("{}{}", scan.points, scan.complete ? "" : " (incomplete sweep)")}});
-}
-
-/// All plans on a scan if there is more than one.
-std::string plans_html(const RecordedScan& scan) {
-  if (scan.plans.size() < 2) return "";
-  std::string items;
-  for (const RecordedPlan& plan : scan.plans) {
-    items += element("li", fmt::format("{}: {}", clock_text(plan.utime), escaped(plan_text(plan))));
-  }
-  return html_details(count_text(scan.plans.size(), "plan"), element("ol", items));
-}
-
 /// Result of the last plan on a scan, one sentence.
 std::string outcome_text(const RecordedScan& scan) {
   if (scan.plans.empty()) return "The log has no plan on this scan.";
   return plan_text(scan.plans.back());
 }
 
-std::string card(const RecordedScan& scan, const MissionMap& map) {
-  const ScanPictures& scan_pictures = scan.pictures;
-  const std::string pictures =
-      picture(scan_pictures.terrain, "Terrain with the planned path") +
-      picture(scan_pictures.c_space,
-              fmt::format("C-space at a heading of {}° relative to the robot",
-                          fixed(scan_pictures.heading_deg, 0))) +
-      picture(scan_pictures.view, "Points, seen in the direction of the laser");
-  return fmt::format(R"(<article class="card{}" id="scan-{}">
-<h3>Scan {}</h3>
-<p class="verdict">{}</p>
-<div class="pictures">{}</div>
-{}{}<p class="up"><a href="#map">to the map</a></p>
-</article>
-)",
-                     has_path(scan) ? "" : " no-path", scan.number, scan.number,
-                     escaped(outcome_text(scan)), pictures,
-                     scan_properties(scan, map.T_map_body_at(scan.utime)), plans_html(scan));
+const char* laser_name(const RecordedScan& scan) {
+  if (!scan.laser) return "an unknown laser";
+  return scan.laser == LaserId::kRear ? "the rear laser" : "the front laser";
 }
 
-std::string legend_entry(const std::string& style, const std::string& text) {
-  return fmt::format(R"(<li><i style="background: {}"></i>{}</li>)", style, escaped(text));
+Json plan_json(const RecordedPlan& plan) {
+  const bool found = is_path_found(plan);
+  return {{"outcome", found ? "path" : name_of(plan.outcome)},
+          {"reason", plan_text(plan)},
+          {"reached_m", plan.reached_m},
+          {"length_m", found ? Json(plan.length_m) : Json()},
+          {"clearance_m",
+           std::isfinite(plan.least_clearance_m) ? Json(plan.least_clearance_m) : Json()}};
 }
 
-std::string legend() {
-  std::string blocking;
-  for (int i = 0; i <= static_cast<int>(BlockingCell::Reason::kDrop); ++i) {
-    const auto& [css_class, name] = blocking_name(static_cast<BlockingCell::Reason>(i));
-    blocking += legend_entry(fmt::format("var(--{})", css_class), fmt::format("blocked: {}", name));
-  }
-  const std::string terrain =
-      legend_entry("linear-gradient(90deg, #fff, #000)", "terrain: 0 to 0.3 m of roughness") +
-      legend_entry("#e2d6b5", "not scanned") + legend_entry("#b3a6cf", "in shadow") +
-      legend_entry("#e8b184", "below a beam") +
-      legend_entry("#86b5dc", "no return: possible water");
-  const std::string c_space =
-      legend_entry("linear-gradient(90deg, #fff, #787878)", "C-space: even to rough") +
-      legend_entry("#5a5a5a", "too many unknown cells") +
-      legend_entry("#000", "not passable at this heading");
-  const std::string path =
-      legend_entry("var(--planned-path)", "planned path and vehicle outlines") +
-      legend_entry("var(--goal)", "goal");
-  return html_details("Legend",
-                      element("ul", terrain + c_space + path + blocking, "class=\"keys\""));
+Json pictures_json(const ScanPictures& pictures) {
+  Json json = Json::object();
+  if (!pictures.terrain.empty()) json["terrain"] = pictures.terrain;
+  if (!pictures.c_space.empty()) json["c_space"] = pictures.c_space;
+  if (!pictures.view.empty()) json["view"] = pictures.view;
+  return json;
 }
 
 }  // namespace
+
+std::string scan_message(const RecordedScan& scan, const MissionMap& map) {
+  Json json{{"number", scan.number},
+            {"id", scan.id},
+            {"time_s", 1e-6 * static_cast<double>(scan.utime)},
+            {"laser", laser_name(scan)},
+            {"points", scan.points},
+            {"complete", scan.complete},
+            {"plans", Json::array()},
+            {"pictures", pictures_json(scan.pictures)}};
+  if (const auto T_map_body = map.T_map_body_at(scan.utime)) {
+    json["x"] = T_map_body->x;
+    json["y"] = T_map_body->y;
+    json["heading_rad"] = T_map_body->theta;
+  }
+  for (const RecordedPlan& plan : scan.plans) json["plans"].push_back(plan_json(plan));
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap& map) {
   std::vector<ScanMark> marks;
@@ -131,13 +99,6 @@ std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap
          fmt::format("Scan {}, {}: {}", scan.number, clock_text(scan.utime), outcome_text(scan))});
   }
   return marks;
-}
-
-std::string scan_cards_html(const MissionRecords& records, const MissionMap& map) {
-  if (records.scans.scans().empty()) return "<p>The log has no 3D scans (channel CLOUD).</p>";
-  std::string cards;
-  for (const RecordedScan& scan : records.scans.scans()) cards += card(scan, map);
-  return legend() + element("div", cards, "class=\"cards\"");
 }
 
 }  // namespace adit

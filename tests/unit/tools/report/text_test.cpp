@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
 
 namespace adit {

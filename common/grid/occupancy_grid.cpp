@@ -14,8 +14,6 @@
 namespace adit {
 namespace {
 
-// Poses err by more than a cell, so walls are partly transparent.
-constexpr double kOccupiedShare = 0.3;
 constexpr double kFarthestCell = 1e8;  // keeps coordinates far below the limit of int
 
 CellBox united(const CellBox& a, const CellBox& b) {
@@ -75,6 +73,11 @@ double OccupancyGrid::occupancy(const Eigen::Vector2i& cell) const {
   const Cell* found = find(cell);
   if (found == nullptr || found->hits == 0) return 0.0;
   return static_cast<double>(found->hits) / (found->hits + found->misses);
+}
+
+OccupancyGrid::Counts OccupancyGrid::counts(const Eigen::Vector2i& cell) const {
+  const Cell* found = find(cell);
+  return found == nullptr ? Counts{} : Counts{found->hits, found->misses};
 }
 
 CellBox OccupancyGrid::observed_box() const {

@@ -49,6 +49,15 @@ class OccupancyGrid {
   [[nodiscard]] CellState state(const Eigen::Vector2i& cell) const;
   /// Share of hits among hits and misses, 0 to 1; 0 where the cell is unknown.
   [[nodiscard]] double occupancy(const Eigen::Vector2i& cell) const;
+  /// Scans that observed a cell as reflecting and as transparent.
+  struct Counts {
+    std::uint16_t hits = 0;
+    std::uint16_t misses = 0;
+  };
+  [[nodiscard]] Counts counts(const Eigen::Vector2i& cell) const;
+  /// The share of hits from which a cell is occupied: poses err by more than a cell, so walls are
+  /// partly transparent.
+  static constexpr double kOccupiedShare = 0.3;
   /// The smallest box around all observed cells; empty if there is none.
   [[nodiscard]] CellBox observed_box() const;
 

@@ -37,4 +37,21 @@ struct DrivingState {
   friend bool operator==(const DrivingState&, const DrivingState&) = default;
 };
 
+/// "idle", "driving", ..
+constexpr const char* name_of(DrivingState::Kind kind) {
+  switch (kind) {
+    case DrivingState::Kind::kIdle:
+      return "idle";
+    case DrivingState::Kind::kDriving:
+      return "driving";
+    case DrivingState::Kind::kWaiting:
+      return "waiting";
+    case DrivingState::Kind::kArrived:
+      return "arrived";
+    case DrivingState::Kind::kFailed:
+      return "failed";
+  }
+  return "";
+}
+
 }  // namespace adit

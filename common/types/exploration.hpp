@@ -64,6 +64,29 @@ enum class FrontierState : std::int8_t {
   kUnconfirmed = 7,   ///< no path was found, but the obstacle was not observed
 };
 
+/// "open", "explored", ..
+constexpr const char* name_of(FrontierState state) {
+  switch (state) {
+    case FrontierState::kOpen:
+      return "open";
+    case FrontierState::kExplored:
+      return "explored";
+    case FrontierState::kBlocked:
+      return "blocked";
+    case FrontierState::kTooNarrow:
+      return "too narrow";
+    case FrontierState::kBeyondBudget:
+      return "beyond budget";
+    case FrontierState::kUnobservable:
+      return "unobservable";
+    case FrontierState::kOutsideMine:
+      return "outside mine";
+    case FrontierState::kUnconfirmed:
+      return "unconfirmed";
+  }
+  return "";
+}
+
 /// A place where the mine continues beyond the observed space, with an identity that persists while
 /// the map grows and moves.
 struct Frontier {

@@ -52,6 +52,23 @@ enum class MissionOutcome : std::int8_t {
   kHomeUncertain = 4,  ///< at the start by its own estimate, which is too uncertain to be sure
 };
 
+/// "in progress", "home", ..
+constexpr const char* name_of(MissionOutcome outcome) {
+  switch (outcome) {
+    case MissionOutcome::kInProgress:
+      return "in progress";
+    case MissionOutcome::kHome:
+      return "home";
+    case MissionOutcome::kStopped:
+      return "stopped";
+    case MissionOutcome::kStranded:
+      return "stranded";
+    case MissionOutcome::kHomeUncertain:
+      return "home uncertain";
+  }
+  return "";
+}
+
 /// State of a mission.
 struct MissionPhase {
   std::int64_t utime = 0;     ///< time of the change to this phase [µs since the epoch]
@@ -89,5 +106,20 @@ struct MissionOrder {
 
   friend bool operator==(const MissionOrder&, const MissionOrder&) = default;
 };
+
+/// "pause", "resume", "return home", "stop and end the mission".
+constexpr const char* name_of(MissionOrder::Kind kind) {
+  switch (kind) {
+    case MissionOrder::Kind::kPause:
+      return "pause";
+    case MissionOrder::Kind::kResume:
+      return "resume";
+    case MissionOrder::Kind::kReturnHome:
+      return "return home";
+    case MissionOrder::Kind::kStop:
+      return "stop and end the mission";
+  }
+  return "";
+}
 
 }  // namespace adit

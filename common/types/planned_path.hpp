@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -63,6 +65,25 @@ enum class PlanOutcome : std::int8_t {
       5,  ///< observed obstacles block every path, but by less than the measurement uncertainty
 };
 
+/// "found", "start_blocked", ..
+constexpr const char* name_of(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::kFound:
+      return "found";
+    case PlanOutcome::kStartBlocked:
+      return "start_blocked";
+    case PlanOutcome::kBlocked:
+      return "blocked";
+    case PlanOutcome::kUnknown:
+      return "unknown";
+    case PlanOutcome::kNarrow:
+      return "narrow";
+    case PlanOutcome::kSearchLimit:
+      return "search_limit";
+  }
+  return "";
+}
+
 /// A cell that blocks the path, as evidence for the operator.
 struct BlockingCell {
   enum class Reason : std::int8_t {
@@ -82,6 +103,27 @@ struct BlockingCell {
   friend bool operator==(const BlockingCell&, const BlockingCell&) = default;
 };
 
+/// "a step under the wheels", ..
+constexpr const char* name_of(BlockingCell::Reason reason) {
+  switch (reason) {
+    case BlockingCell::Reason::kStep:
+      return "a step under the wheels";
+    case BlockingCell::Reason::kBelly:
+      return "an obstacle that is too high to drive over";
+    case BlockingCell::Reason::kRoof:
+      return "a roof that is too low";
+    case BlockingCell::Reason::kUnknown:
+      return "unobserved ground";
+    case BlockingCell::Reason::kWater:
+      return "possible water";
+    case BlockingCell::Reason::kSlope:
+      return "a slope that is too steep";
+    case BlockingCell::Reason::kDrop:
+      return "a drop";
+  }
+  return "";
+}
+
 /// Result of planning for one goal.
 struct PlannedPath {
   std::int64_t utime =
@@ -95,5 +137,22 @@ struct PlannedPath {
 
   friend bool operator==(const PlannedPath&, const PlannedPath&) = default;
 };
+
+/// Sum of the distances between its points [m].
+inline double path_length_m(const PlannedPath& path) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    length_m +=
+        between(path.points[i - 1].T_odom_body, path.points[i].T_odom_body).translation().norm();
+  }
+  return length_m;
+}
+
+/// Minimum distance between footprint and lethal cells along the path [m]; infinite without a path.
+inline double least_clearance_m(const PlannedPath& path) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const PathPoint& point : path.points) least_m = std::min(least_m, point.clearance_m);
+  return least_m;
+}
 
 }  // namespace adit

@@ -3,9 +3,9 @@
 #include "procs/planning/no_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,27 +20,15 @@ namespace {
 // not through it.
 constexpr double kPassedM = 1.0;
 
-// In the order of BlockingCell::Reason.
-constexpr std::array kReasonNames{
-    "a step under the wheels",
-    "an obstacle that is too high to drive over",
-    "a roof that is too low",
-    "unobserved ground",
-    "possible water",
-    "a slope that is too steep",
-    "a drop",
-};
-
 /// The most frequent reason of the cells.
 std::string main_reason(const std::vector<BlockingCell>& cells) {
   if (cells.empty()) return "the edge of the map";
-  std::array<int, kReasonNames.size()> counts{};
-  std::size_t main = 0;
+  std::map<BlockingCell::Reason, int> counts;
+  BlockingCell::Reason main = cells.front().reason;
   for (const BlockingCell& cell : cells) {
-    const auto i = static_cast<std::size_t>(cell.reason);
-    if (++counts.at(i) > counts.at(main)) main = i;
+    if (++counts[cell.reason] > counts[main]) main = cell.reason;
   }
-  return kReasonNames.at(main);
+  return name_of(main);
 }
 
 /// The cells in the lane of the vehicle ahead of its farthest pose, which decide that it ends

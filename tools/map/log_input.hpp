@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -11,12 +10,9 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/log/lcm_log.hpp"
-#include "common/config/config.hpp"
-#include "common/messages/diagnostics.hpp"
+#include "common/bus/node/recorded_section.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "tools/log_times/time_choice.hpp"
 
@@ -55,25 +51,6 @@ class LogInput {
   std::size_t scans_ = 0;
   std::unique_ptr<EventSource> events_;
 };
-
-/// A section of a recorded CONFIG; nothing if it has no such section. A CONFIG that cannot be read
-/// (damaged, or of another version) gives nothing and adds one warning per stage.
-template <class Params>
-std::optional<Params> recorded_section(const ConfigSnapshot& snapshot, const std::string& section,
-                                       std::vector<std::string>& warnings) {
-  try {
-    const ConfigFile config =
-        ConfigFile::parse(snapshot.yaml, fmt::format("CONFIG of {}", snapshot.stage));
-    if (config.section(section) == nullptr) return std::nullopt;
-    return load_section<Params>(config, section);
-  } catch (const ConfigError& error) {
-    const std::string warning = fmt::format("recorded {}; it is not used", error.what());
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
-      warnings.push_back(warning);
-    }
-    return std::nullopt;
-  }
-}
 
 /// Laser mounts of an event if it is a CONFIG that has them. An unreadable CONFIG adds a warning.
 std::optional<Lasers> recorded_lasers(const LogEventView& event,

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,8 +11,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/mapping/local_map.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
+#include "common/bus/map_subscription.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/match_doubt.hpp"
@@ -25,26 +23,6 @@
 #include "tools/map/segment_list.hpp"
 
 namespace adit {
-
-/// Receives the output of mapping: LOCAL_MAP and POSE_GRAPH, reassembled from their fragments,
-/// ASSOCIATION and CONTRADICTIONS.
-class MapSubscription {
- public:
-  struct Handlers {
-    std::function<void(LocalMap)> on_local_map;
-    std::function<void(MapGraph)> on_graph;
-    std::function<void(const Association&)> on_association;
-    std::function<void(MapContradictions)> on_contradictions;
-  };
-
-  /// Must be called once. `bus` must not deliver messages after this is destroyed.
-  void subscribe(Bus& bus, Handlers handlers);
-
- private:
-  Handlers handlers_;
-  LocalMapReassembler local_map_fragments_;
-  PoseGraphReassembler graph_fragments_;
-};
 
 /// Collects the data for the result files of a run: what the summary counts, one pose per scan, the
 /// output of mapping, and the scans that are not in a local map yet.

@@ -59,37 +59,4 @@ ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& choice, const ScanPl
   return plan;
 }
 
-double path_length_m(const PlannedPath& path) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    length_m +=
-        between(path.points[i - 1].T_odom_body, path.points[i].T_odom_body).translation().norm();
-  }
-  return length_m;
-}
-
-double least_clearance_m(const PlannedPath& path) {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const PathPoint& point : path.points) least_m = std::min(least_m, point.clearance_m);
-  return least_m;
-}
-
-const char* name_of(PlanOutcome outcome) {
-  switch (outcome) {
-    case PlanOutcome::kFound:
-      return "found";
-    case PlanOutcome::kStartBlocked:
-      return "start_blocked";
-    case PlanOutcome::kBlocked:
-      return "blocked";
-    case PlanOutcome::kUnknown:
-      return "unknown";
-    case PlanOutcome::kNarrow:
-      return "narrow";
-    case PlanOutcome::kSearchLimit:
-      return "search_limit";
-  }
-  return "";
-}
-
 }  // namespace adit

@@ -53,9 +53,4 @@ struct ScanPlan {
 ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& goal, const ScanPlanParams& params,
                       Planning& planning);
 
-double path_length_m(const PlannedPath& path);
-/// Minimum distance between footprint and lethal cells along the path [m]; infinite without a path.
-double least_clearance_m(const PlannedPath& path);
-const char* name_of(PlanOutcome outcome);
-
 }  // namespace adit

@@ -133,44 +133,6 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   return statistics;
 }
 
-const char* name_of(MissionOutcome outcome) {
-  switch (outcome) {
-    case MissionOutcome::kInProgress:
-      return "in progress";
-    case MissionOutcome::kHome:
-      return "home";
-    case MissionOutcome::kStopped:
-      return "stopped";
-    case MissionOutcome::kStranded:
-      return "stranded";
-    case MissionOutcome::kHomeUncertain:
-      return "home, uncertain";
-  }
-  return "";
-}
-
-const char* name_of(FrontierState state) {
-  switch (state) {
-    case FrontierState::kOpen:
-      return "open";
-    case FrontierState::kExplored:
-      return "explored";
-    case FrontierState::kBlocked:
-      return "blocked";
-    case FrontierState::kTooNarrow:
-      return "too narrow";
-    case FrontierState::kBeyondBudget:
-      return "beyond budget";
-    case FrontierState::kUnobservable:
-      return "no returns";
-    case FrontierState::kOutsideMine:
-      return "outside the mine";
-    case FrontierState::kUnconfirmed:
-      return "unconfirmed";
-  }
-  return "";
-}
-
 namespace {
 
 /// "3 of 7 frontiers are closed (2 blocked), 3 open".

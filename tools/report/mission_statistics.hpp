@@ -92,9 +92,4 @@ std::string outcome_text(const MissionStatistics& statistics);
 /// The errors against TRUTH, beside the allowed ones, in one line; empty without TRUTH.
 std::string accuracy_text(const MissionStatistics& statistics);
 
-/// "home", "home, uncertain", "stopped", "stranded", "in progress".
-const char* name_of(MissionOutcome outcome);
-/// "open", "explored", ...
-const char* name_of(FrontierState state);
-
 }  // namespace adit

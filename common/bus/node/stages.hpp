@@ -21,14 +21,18 @@ inline const std::vector<std::string>& stage_names() {
 
 /// The section of the simulator, which runs like a stage but is not one.
 inline constexpr const char* kSimSection = "sim";
+/// The section of the viewer, a process that is not a stage.
+inline constexpr const char* kViewerSection = "viewer";
 
-/// All sections of the configuration file: those of the stages, the shared ones, the simulator's.
+/// All sections of the configuration file: those of the stages, the shared ones, the simulator's and
+/// the viewer's.
 inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);
   names.emplace_back(Vehicle::kSection);
   names.emplace_back(SealParams::kSection);
   names.emplace_back(kSimSection);
+  names.emplace_back(kViewerSection);
   return names;
 }
 

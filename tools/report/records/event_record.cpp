@@ -20,20 +20,6 @@ constexpr std::int64_t kStalenessUs = 5'000'000;  // five heartbeats
 constexpr const char* kGuard = "guard";
 constexpr const char* kDriving = "driving";
 
-const char* name_of(MissionOrder::Kind kind) {
-  switch (kind) {
-    case MissionOrder::Kind::kPause:
-      return "pause";
-    case MissionOrder::Kind::kResume:
-      return "resume";
-    case MissionOrder::Kind::kReturnHome:
-      return "return home";
-    case MissionOrder::Kind::kStop:
-      return "stop and end the mission";
-  }
-  return "";
-}
-
 }  // namespace
 
 EventRecord::EventRecord(Bus& bus) {

@@ -8,13 +8,13 @@
 #include <map>
 #include <optional>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <zlib.h>
 
 #include "common/picture/rgb_image.hpp"
+#include "common/text/base64.hpp"
 
 namespace adit {
 namespace {
@@ -23,9 +23,6 @@ using Bytes = std::vector<std::uint8_t>;
 using Pixel = RgbImage::Pixel;
 
 constexpr std::size_t kColoursMax = 256;
-constexpr std::string_view kBase64Digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
 /// An image by a palette.
 struct IndexedImage {
   std::vector<Pixel> palette;         ///< at most 256 colours
@@ -160,19 +157,7 @@ std::vector<std::uint8_t> indexed_png(const RgbImage& image,
 }
 
 std::string data_uri(const std::string& media_type, std::span<const std::uint8_t> bytes) {
-  std::string uri = "data:" + media_type + ";base64,";
-  uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t remaining = bytes.size() - i;
-    std::uint32_t three = static_cast<std::uint32_t>(bytes[i]) << 16U;
-    if (remaining > 1) three |= static_cast<std::uint32_t>(bytes[i + 1]) << 8U;
-    if (remaining > 2) three |= bytes[i + 2];
-    uri += kBase64Digits[three >> 18U & 63U];
-    uri += kBase64Digits[three >> 12U & 63U];
-    uri += remaining > 1 ? kBase64Digits[three >> 6U & 63U] : '=';
-    uri += remaining > 2 ? kBase64Digits[three & 63U] : '=';
-  }
-  return uri;
+  return "data:" + media_type + ";base64," + base64(bytes);
 }
 
 }  // namespace adit

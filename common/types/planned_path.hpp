@@ -104,7 +104,7 @@ struct BlockingCell {
 };
 
 /// "a step under the wheels", ..
-constexpr const char* name_of(BlockingCell::Reason reason) {
+constexpr const char* description_of(BlockingCell::Reason reason) {
   switch (reason) {
     case BlockingCell::Reason::kStep:
       return "a step under the wheels";

@@ -28,7 +28,7 @@ std::string main_reason(const std::vector<BlockingCell>& cells) {
   for (const BlockingCell& cell : cells) {
     if (++counts[cell.reason] > counts[main]) main = cell.reason;
   }
-  return name_of(main);
+  return description_of(main);
 }
 
 /// The cells in the lane of the vehicle ahead of its farthest pose, which decide that it ends

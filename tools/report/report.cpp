@@ -17,11 +17,10 @@
 #include "common/files/file_utils.hpp"
 #include "common/files/mapped_file.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/report/text_format.hpp"
-#include "tools/report/page/mission_html.hpp"
 #include "tools/report/page/scan_cards.hpp"
 #include "tools/report/records/mission_log_reader.hpp"
 #include "tools/report/report_files.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -95,7 +94,7 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
   };
   const LogInfo log_info = read_mission_log_info(options);
   const ResultFolder results(options.folder);
-  MissionLogReader reader(log_info, options.remap, viewer_page());
+  MissionLogReader reader(log_info, options.remap, options.viewer_page);
   reader.read(options, [&](double done) { report_progress("reading", done); });
 
   report_progress("drawing", 0.0);

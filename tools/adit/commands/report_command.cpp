@@ -12,11 +12,13 @@
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
+#include "tools/report/page/mission_html.hpp"
 #include "tools/report/report.hpp"
 
 namespace adit {
 
-void print_report(const ReportOptions& options) {
+void print_report(ReportOptions options) {
+  options.viewer_page = viewer_page();
   std::optional<ProgressBar> bar;
   std::string shown_label;
   const MissionReport result = write_report(options, [&](const std::string& label, double done) {
@@ -27,9 +29,8 @@ void print_report(const ReportOptions& options) {
   bar.reset();
   for (const std::string& message : result.warnings) print_error("adit", message);
   if (!result.accuracy.empty()) std::cout << result.accuracy << "\n";
-  std::cout << message_line(fmt::format("{}: {}", (options.folder / "mission.html").string(),
-                                        result.outcome))
-            << "\n"
+  const auto place = result.page_bytes > 0 ? options.folder / "mission.html" : options.folder;
+  std::cout << message_line(fmt::format("{}: {}", place.string(), result.outcome)) << "\n"
             << std::flush;
 }
 
@@ -37,7 +38,7 @@ namespace {
 
 constexpr const char* kReportDetails =
     R"(Outputs in DIR:
-  mission.html          report: outcome, map, phases, 3D scans, frontiers, events; a self-contained page
+  mission.html          the page of the viewer with the mission inside: map, 3D, time, plots, 3D scans
   map.png, map.svg      map with the traversed path
   map.pgm, map.yaml     occupancy grid for ROS map_server and Nav2
   graph.g2o             pose graph

@@ -33,7 +33,8 @@ std::string cause_of(const Frontier& frontier) {
       break;
   }
   for (const BlockingCell::Reason reason : kDeciding) {
-    if (frontier.evidence.find(name_of(reason)) != std::string::npos) return name_of(reason);
+    if (frontier.evidence.find(description_of(reason)) != std::string::npos)
+      return description_of(reason);
   }
   return "a blocked path";
 }
@@ -74,7 +75,8 @@ std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Tr
     const auto i = static_cast<std::size_t>(same - places.begin());
     if (same == places.end()) {
       places.push_back(p_map);
-      const Trajectory until(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(nearest.pose));
+      const Trajectory until(path.begin(),
+                             path.begin() + static_cast<std::ptrdiff_t>(nearest.pose));
       found.push_back({distance_travelled_m(until, kTravelStepM), 0.0, 0.0, "", false, {}});
     }
     Blockage& blockage = found[i];

@@ -10,10 +10,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viewer/server/protocol.hpp"
+
 #include "common/files/file_utils.hpp"
 #include "common/files/gzip_encoder.hpp"
 #include "common/text/base64.hpp"
-#include "viewer/server/protocol.hpp"
 
 namespace adit {
 namespace {
@@ -75,9 +76,8 @@ std::string mission_html(const std::string& page, const std::string& title,
   if (end == std::string::npos) throw std::invalid_argument("the page has no </body>");
   const std::string data = compressed_data(header_text(title, topics), records);
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
-  return page.substr(0, end) +
-         "<script id=\"mission-data\" type=\"application/octet-stream\">" + base64(bytes) +
-         "</script>\n" + page.substr(end);
+  return page.substr(0, end) + "<script id=\"mission-data\" type=\"application/octet-stream\">" +
+         base64(bytes) + "</script>\n" + page.substr(end);
 }
 
 }  // namespace adit

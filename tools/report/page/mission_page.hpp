@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "viewer/scene/scene.hpp"
+
 #include "common/bus/bus.hpp"
 #include "tools/report/mission_statistics.hpp"
 #include "tools/report/page/topic_recorder.hpp"
-#include "viewer/scene/scene.hpp"
 
 namespace adit {
 
-/// Makes mission.html: replays a mission through the scene of the viewer, keeps its topics at bounded
-/// rates, and puts the page of the viewer around them.
+/// Makes mission.html: replays a mission through the scene of the viewer, keeps its topics at
+/// bounded rates, and puts the page of the viewer around them.
 class MissionPage {
  public:
   /// `bus` must outlive this. `page` is the page of the viewer as it was built.

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 struct Metric {
   std::string label;
@@ -61,11 +61,10 @@ std::string blockages_phrase(const std::vector<Blockage>& blockages) {
     seen_m += blockage.seen_beyond_m;
     frontier_m += blockage.frontier_m;
   }
-  const std::string what = blockages.size() == 1
-                               ? fmt::format("what blocks the tunnel ({})",
-                                             place_phrase(blockages.front()))
-                               : fmt::format("what blocks the tunnel at {} places",
-                                             blockages.size());
+  const std::string what =
+      blockages.size() == 1
+          ? fmt::format("what blocks the tunnel ({})", place_phrase(blockages.front()))
+          : fmt::format("what blocks the tunnel at {} places", blockages.size());
   return fmt::format("{} seen beyond {}; {} of frontier behind it unknown", metres(seen_m, 0), what,
                      metres(frontier_m, 1));
 }
@@ -92,9 +91,9 @@ Json paragraphs(const MissionStatistics& statistics, const std::vector<Blockage>
 
 void add_state(const StateRecord& state, Metrics& metrics) {
   if (state.vehicle_first()) {
-    metrics.push_back({"battery", fmt::format("{} to {}",
-                                              percent(state.vehicle_first()->battery_share),
-                                              percent(state.vehicle_last()->battery_share))});
+    metrics.push_back(
+        {"battery", fmt::format("{} to {}", percent(state.vehicle_first()->battery_share),
+                                percent(state.vehicle_last()->battery_share))});
   }
   if (const auto& gas = state.gas_extremes()) {
     metrics.push_back({"methane, maximum", percent(gas->methane_share)});
@@ -132,13 +131,13 @@ Metrics metrics_of(const MissionRecords& records, const MissionStatistics& stati
     metrics.push_back(
         {"frontiers closed", fmt::format("{} of {}", frontiers->closed, frontiers->found)});
   }
-  metrics.push_back({"3D scans, without a path", fmt::format("{}, {}", statistics.scans,
-                                                             statistics.scans_without_path)});
+  metrics.push_back({"3D scans, without a path",
+                     fmt::format("{}, {}", statistics.scans, statistics.scans_without_path)});
   metrics.push_back({"local maps", fmt::to_string(statistics.local_maps)});
   metrics.push_back({"loop closures accepted, revoked",
                      fmt::format("{}, {}", statistics.loop_closures.accepted, statistics.revoked)});
-  metrics.push_back({"stops by the guard", fmt::format("{}, {}", statistics.stops,
-                                                       duration_text(statistics.stopped_s))});
+  metrics.push_back({"stops by the guard",
+                     fmt::format("{}, {}", statistics.stops, duration_text(statistics.stopped_s))});
   metrics.push_back({"restarts and timeouts", fmt::to_string(statistics.restarts)});
   add_state(records.state, metrics);
   add_truth(statistics, metrics);

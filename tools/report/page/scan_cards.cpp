@@ -16,7 +16,7 @@
 namespace adit {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 bool is_path_found(const RecordedPlan& plan) { return plan.outcome == PlanOutcome::kFound; }
 

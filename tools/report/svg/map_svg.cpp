@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "tools/report/svg/map_layers.hpp"
 #include "tools/report/svg/markup.hpp"
 #include "tools/report/text_format.hpp"
-#include "tools/report/svg/map_layers.hpp"
 
 namespace adit {
 namespace {

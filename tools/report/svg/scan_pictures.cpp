@@ -12,9 +12,9 @@
 #include "common/picture/plan_picture.hpp"
 #include "common/picture/terrain_picture.hpp"
 #include "procs/planning/planning_picture.hpp"
-#include "tools/report/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
 #include "tools/report/svg/terrain_svg.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {

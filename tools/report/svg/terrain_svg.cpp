@@ -15,9 +15,9 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/types/terrain_map.hpp"
+#include "tools/report/svg/indexed_png.hpp"
 #include "tools/report/svg/markup.hpp"
 #include "tools/report/text_format.hpp"
-#include "tools/report/svg/indexed_png.hpp"
 
 namespace adit {
 namespace {

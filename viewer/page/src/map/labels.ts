@@ -26,14 +26,16 @@ export class Labels {
     return true;
   }
 
-  /** A free place for a text beside a point: right, left, above or below; null if all are taken. The place is then taken. */
+  /** A free place for a text beside a point, the nearest first: right, left, above, below, then farther off; null if all are taken. */
   beside(px: number, py: number, width: number, height: number, gap: number): { x: number; y: number } | null {
-    const places = [
-      { x: px + gap, y: py - height / 2 },
-      { x: px - gap - width, y: py - height / 2 },
-      { x: px - width / 2, y: py - gap - height },
-      { x: px - width / 2, y: py + gap },
+    const right = px + gap, left = px - gap - width, middle = px - width / 2;
+    const above = (rows: number) => py - gap - rows * height;
+    const below = (rows: number) => py + gap + (rows - 1) * height;
+    const places: [number, number][] = [
+      [right, py - height / 2], [left, py - height / 2], [middle, above(1)], [middle, below(1)],
+      [right, above(1)], [right, below(1)], [left, above(1)], [left, below(1)], [middle, above(2)], [middle, below(2)],
     ];
-    return places.find(({ x, y }) => this.take(x, y, width, height)) ?? null;
+    const free = places.find(([x, y]) => this.take(x, y, width, height));
+    return free ? { x: free[0], y: free[1] } : null;
   }
 }

@@ -13,7 +13,7 @@ const kRowLimit = 400;
 const kNearTrajectory_m = 15;
 const kOnTrajectory_m = 2.5;
 /** What ends the exploration of a mine comes first. */
-const kHazardOrder = ["water", "gas", "fall", "drop", "mud", "low roof"];
+const kHazardOrder = ["water", "methane", "oxygen", "carbon monoxide", "gas", "fall", "drop", "mud", "low roof"];
 const kStateOrder = ["open", "blocked", "too narrow", ...kFrontierStates];
 
 function rank(order: string[], value: string): number {

@@ -11,6 +11,8 @@ import { coloursOf, kColourings, legendOf, type Colouring } from "./colours";
 import { pick } from "./picking";
 
 const kClick_px = 5;
+/** Drawn while the view moves; every n-th point of a larger cloud, so that software rendering follows the hand. */
+const kMovingPoints = 300_000;
 
 export class VolumeView {
   readonly #renderer: THREE.WebGLRenderer | null;
@@ -30,6 +32,7 @@ export class VolumeView {
   #count = 0;
   #key = "";
   #isFitted = false;
+  #isMoving = false;
   #picked: THREE.Vector3[] = [];
   #dirty = true;
   #frames_ms: number[] = [];
@@ -44,6 +47,8 @@ export class VolumeView {
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener("change", () => { this.#dirty = true; });
+    this.#controls.addEventListener("start", () => this.#setMoving(true));
+    this.#controls.addEventListener("end", () => this.#setMoving(false));
     this.#line.renderOrder = 1;
     this.#scene.add(this.#line);
     new ResizeObserver(() => { this.#dirty = true; }).observe(host);
@@ -98,7 +103,22 @@ export class VolumeView {
     const count = isComplete ? this.#cloud.count : countUpTo(this.#cloud, Math.max(0, ...past));
     if (count === this.#count) return;
     this.#count = count;
-    this.#points.geometry.setDrawRange(0, count);
+    this.#setRange();
+  }
+
+  #setMoving(isMoving: boolean): void {
+    this.#isMoving = isMoving;
+    this.#setRange();
+  }
+
+  #setRange(): void {
+    const geometry = this.#points?.geometry;
+    if (!geometry) return;
+    const stride = this.#isMoving ? Math.ceil(this.#count / kMovingPoints) : 1;
+    const isThinned = stride > 1;
+    if (isThinned) geometry.setIndex(new THREE.BufferAttribute(Uint32Array.from({ length: Math.floor(this.#count / stride) }, (_, i) => i * stride), 1));
+    else geometry.setIndex(null);
+    geometry.setDrawRange(0, isThinned ? Math.floor(this.#count / stride) : this.#count);
     this.#dirty = true;
   }
 

@@ -124,8 +124,8 @@ function ellipses(t: number): object {
 
 const phaseAt = (t: number) => (t < 4 ? "waiting" : t >= 199 ? "ended" : t % 20 < 3 ? "scan" : t % 20 < 5 ? "plan" : "execute");
 
-/** The messages of the second t of the mission. */
-export function messagesAt(t: number): Message[] {
+/** The messages of the second t of the mission; the volume has `volumePoints` points. */
+export function messagesAt(t: number, volumePoints = 30_000): Message[] {
   const time_s = kStart_s + t;
   const robot = robotAt(t);
   const position = { x: robot.x, y: robot.y, z: 0 };
@@ -153,7 +153,7 @@ export function messagesAt(t: number): Message[] {
   if (t === 20 || t === 0) out.push(message("/hazards", time_s, t === 0 ? { entities: [] } : hazards()));
   if (t % 20 === 0) {
     const number = t / 20 + 1;
-    out.push(message("/cloud", time_s, cloud(3000, Math.max(0, robot.x - 10), robot.x + 10)), message("/volume", time_s, cloud(30000, 0, Math.max(10, Math.min(100, t)))),
+    out.push(message("/cloud", time_s, cloud(3000, Math.max(0, robot.x - 10), robot.x + 10)), message("/volume", time_s, cloud(volumePoints, 0, Math.max(10, Math.min(100, t)))),
       message("/scans", time_s, { number, id: number, time_s, x: robot.x, y: robot.y, z: 0, heading_rad: robot.heading, laser: "laser_front", points: 3000, complete: true,
         plans: [{ outcome: "path", reason: "clear", reached_m: 8, length_m: 8.4, clearance_m: 0.7 }],
         pictures: { terrain: "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==" } }));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The panels beside the map, in their order. */
 import type { Model } from "../state/model";
+import { CoveragePanel } from "./coverage";
 import { EventsPanel } from "./events";
 import { MissionPanel } from "./mission";
 import { Orders, type Call } from "./orders";
@@ -22,7 +23,7 @@ export class Panels {
   constructor(host: HTMLElement, model: Model, { centre, call }: PanelActions) {
     const orders = new Orders(model, call);
     this.#card = new CardPanel(model);
-    this.#shown = [new SummaryPanel(model), orders, this.#card, new MissionPanel(model), new HazardsPanel(model, centre), new FrontiersPanel(model, centre),
+    this.#shown = [new SummaryPanel(model), orders, this.#card, new MissionPanel(model), new CoveragePanel(model), new HazardsPanel(model, centre), new FrontiersPanel(model, centre),
       new ScansPanel(model, (number) => this.openScan(number)), new ProcessesPanel(model, orders), new EventsPanel(model)];
     host.append(...this.#shown.map(({ section }) => section));
   }

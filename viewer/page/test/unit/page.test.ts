@@ -7,6 +7,7 @@ import { widthAt } from "../../src/map/width";
 import { decodePlaybackState, encodePlaybackRequest } from "../../src/protocol/playback";
 import { readRecords } from "../../src/protocol/embedded";
 import { Chainage } from "../../src/state/chainage";
+import { coverageAreas } from "../../src/state/grid";
 import { countUpTo, sortedByScan } from "../../src/state/cloud";
 import { Model } from "../../src/state/model";
 import { Series } from "../../src/state/series";
@@ -54,6 +55,14 @@ describe("width", () => {
   it("is none in walls and unknown ground", () => {
     expect(widthAt(grid, 30, 2.15)).toBeNull();
     expect(widthAt(grid, 30, 20)).toBeNull();
+  });
+});
+
+describe("coverage", () => {
+  it("is the area of the ground that is not wall", () => {
+    const areas_m2 = coverageAreas(model.map.at(kEnd_s)!.value);
+    expect(areas_m2[3]).toBeCloseTo(98, 0);  // 1 m wide, until 12 m before the end of the map at 110 m
+    expect(areas_m2[1]).toBeCloseTo(20 * kDriftWidth_m, 0);  // of the drift from y = 10 m to 30 m
   });
 });
 

@@ -3,6 +3,7 @@
 #include "tools/mission/private_network.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,16 @@ void enter_network_of(pid_t pid) {
     throw std::runtime_error(fmt::format("cannot join the network of process {}: {}", pid,
                                          std::generic_category().message(errno)));
   }
+}
+
+void enter_network_of_mission(const fs::path& folder) {
+  pid_t pid = 0;
+  std::ifstream(folder / "mission.pid") >> pid;
+  if (pid <= 0 || !fs::exists(fmt::format("/proc/{}", pid))) {
+    throw std::runtime_error(fmt::format("no mission is running in {}", folder.string()));
+  }
+  enter_network_of(pid);
+  unsetenv("LCM_DEFAULT_URL");
 }
 
 }  // namespace adit

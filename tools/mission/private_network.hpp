@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
+
 #include <sys/types.h>
 
 namespace adit {
@@ -14,5 +16,9 @@ bool enter_private_network();
 
 /// Joins the network of another process of the same user. Throws std::runtime_error.
 void enter_network_of(pid_t pid);
+
+/// Joins the network of the mission that runs in a folder, where LCM has its default URL. Throws
+/// std::runtime_error if none runs there.
+void enter_network_of_mission(const std::filesystem::path& folder);
 
 }  // namespace adit

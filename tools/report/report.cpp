@@ -116,7 +116,8 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
     report.warnings.push_back(std::move(warning));
   }
   if (auto& page = reader.page()) {
-    const std::string html = page->html(records, statistics, map, title, report.warnings);
+    const std::string html =
+        page->html(records, statistics, map, content.grid, title, report.warnings);
     report.page_bytes = html.size();
     write_text_file(html, results.unfinished() / "mission.html");
   } else {

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -60,31 +58,6 @@ constexpr const char* kOrderExamples =
   adit order resume --key seal.key           a robot with sealed orders
   adit order pause --mission out             the mission of `adit mission mathies --out out`)";
 
-/// The id in mission.pid. Throws std::runtime_error if no such process exists.
-pid_t process_of(const std::filesystem::path& folder) {
-  pid_t pid = 0;
-  std::ifstream(folder / "mission.pid") >> pid;
-  if (pid <= 0 || !std::filesystem::exists(fmt::format("/proc/{}", pid))) {
-    throw std::runtime_error(fmt::format("no mission is running in {}", folder.string()));
-  }
-  return pid;
-}
-
-bool is_executed(MissionOrder::Kind order, const MissionPhase& phase) {
-  using Kind = MissionOrder::Kind;
-  switch (order) {
-    case Kind::kPause:
-      return phase.phase == Phase::kPaused;
-    case Kind::kResume:
-      return phase.phase != Phase::kPaused;
-    case Kind::kReturnHome:
-      return phase.returning_home;
-    case Kind::kStop:
-      return phase.phase == Phase::kEnded;
-  }
-  return false;
-}
-
 std::string status_text(const MissionPhase& phase) {
   if (!phase.returning_home) return phase.reason;
   return fmt::format("{} (returning home: {})", phase.reason, phase.return_home_reason);
@@ -105,10 +78,7 @@ std::string status_text(const MissionPhase& phase) {
 /// mission has ended.
 std::string order_mission(const MissionOrderOptions& options) {
   using Clock = std::chrono::steady_clock;
-  if (!options.mission.empty()) {
-    enter_network_of(process_of(options.mission));
-    unsetenv("LCM_DEFAULT_URL");
-  }
+  if (!options.mission.empty()) enter_network_of_mission(options.mission);
   LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated, .seal = options.seal.read()});
   std::optional<MissionPhase> phase;
   subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
@@ -136,8 +106,11 @@ void add_order_command(CLI::App& adit) {
       add_command(adit, "order", "Order a mission to pause, resume, return or stop");
   set_help(*command, {kOrderDetails, "", kOrderExamples});
   const auto options = std::make_shared<MissionOrderOptions>();
-  command->add_option("ORDER", options->order, "pause, resume, return or stop")
-      ->transform(CLI::CheckedTransformer(kOrders).description(""))
+  command
+      ->add_option_function<std::string>(
+          "ORDER", [options](const std::string& order) { options->order = kOrders.at(order); },
+          "What the mission shall do")
+      ->check(CLI::IsMember({"pause", "resume", "return", "stop"}))
       ->required();
   command->add_option("--mission", options->mission, "Output folder of a running adit mission")
       ->type_name("DIR");

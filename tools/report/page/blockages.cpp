@@ -9,11 +9,13 @@
 #include <limits>
 
 #include "common/types/planned_path.hpp"
+#include "tools/report/page/seen_ground.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kOnePlaceM = 5.0;
+constexpr double kNearM = 1.0;
 
 /// Reasons of which one observation decides, the first before the others: walls and rubble are
 /// beside every path and are named by many plans, water lies across it.
@@ -59,9 +61,18 @@ Nearest nearest_pose(const Trajectory& path, const Eigen::Vector2d& p_map) {
   return nearest;
 }
 
+/// Distance travelled until the robot first was near a place of its path.
+double distance_until_near_m(const Trajectory& path, const Eigen::Vector2d& p_map) {
+  const auto near = std::find_if(path.begin(), path.end(), [&](const TimedPose& pose) {
+    return (pose.pose.translation() - p_map).norm() < kNearM;
+  });
+  return distance_travelled_m(Trajectory(path.begin(), near), kTravelStepM);
+}
+
 }  // namespace
 
-std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Trajectory& path) {
+std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Trajectory& path,
+                                const OccupancyGrid* grid) {
   std::vector<Blockage> found;
   std::vector<Eigen::Vector2d> places;  // the nearest pose of each
   if (path.empty()) return found;
@@ -75,9 +86,9 @@ std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Tr
     const auto i = static_cast<std::size_t>(same - places.begin());
     if (same == places.end()) {
       places.push_back(p_map);
-      const Trajectory until(path.begin(),
-                             path.begin() + static_cast<std::ptrdiff_t>(nearest.pose));
-      found.push_back({distance_travelled_m(until, kTravelStepM), 0.0, 0.0, "", false, {}});
+      found.emplace_back();
+      found.back().at_m = distance_until_near_m(path, p_map);
+      if (grid != nullptr) found.back().seen_beyond_m = seen_beyond_m(*grid, path, p_map);
     }
     Blockage& blockage = found[i];
     const bool proven = is_closed(frontier.state);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/grid/occupancy_grid.hpp"
 #include "common/types/exploration.hpp"
 #include "tools/eval/trajectory.hpp"
 
@@ -13,8 +14,8 @@ namespace adit {
 /// A place where the exploration ended before an unexplored frontier: what blocked it there, and
 /// what is known of the mine behind it.
 struct Blockage {
-  double at_m = 0.0;           ///< distance travelled until the nearest pose [m]
-  double seen_beyond_m = 0.0;  ///< from the nearest pose to the farthest frontier behind it [m]
+  double at_m = 0.0;           ///< distance travelled until the robot first was near [m]
+  double seen_beyond_m = 0.0;  ///< from the nearest pose to the farthest ground seen behind it [m]
   double frontier_m = 0.0;     ///< total width of the frontiers behind it [m]
   std::string cause;           ///< "water", "an obstacle", .., with what decides
   bool is_proven = false;      ///< the evidence shows that there is no path

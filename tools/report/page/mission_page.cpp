@@ -72,11 +72,11 @@ void MissionPage::record(std::int64_t utime) {
 }
 
 std::string MissionPage::html(const MissionRecords& records, const MissionStatistics& statistics,
-                              const MissionMap& map, const std::string& title,
-                              const std::vector<std::string>& warnings) {
+                              const MissionMap& map, const OccupancyGrid* grid,
+                              const std::string& title, const std::vector<std::string>& warnings) {
   const auto& exploration = records.state.exploration();
   const std::vector<Blockage> places =
-      exploration ? blockages(exploration->frontiers, map.path()) : std::vector<Blockage>{};
+      exploration ? blockages(exploration->frontiers, map.path(), grid) : std::vector<Blockage>{};
   board_.append(summary_, statistics.to_utime,
                 summary_message(records, statistics, places, warnings));
   recorder_.finish(statistics.to_utime);

@@ -24,9 +24,9 @@ class MissionPage {
   /// Must be called repeatedly during the replay, with the bus time.
   void record(std::int64_t utime);
 
-  /// The page with everything recorded; at the end of the log.
+  /// The page with everything recorded; at the end of the log. `grid` may be null.
   std::string html(const MissionRecords& records, const MissionStatistics& statistics,
-                   const MissionMap& map, const std::string& title,
+                   const MissionMap& map, const OccupancyGrid* grid, const std::string& title,
                    const std::vector<std::string>& warnings);
 
  private:

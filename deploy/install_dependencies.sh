@@ -12,8 +12,9 @@ groups=${*:-build test check spy}
 is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null) == "install ok installed" ]]; }
 
 missing=()
-while read -r group package; do
+while read -r group package command; do
   [[ " $groups " == *" $group "* ]] || continue
+  [[ -n $command ]] && command -v "$command" >/dev/null && continue
   is_installed "$package" || missing+=("$package")
 done <"$here/packages.txt"
 ((${#missing[@]})) || exit 0

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -14,6 +15,7 @@
 #include "common/command_line/command_line.hpp"
 #include "common/config/config.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/service/service_manager.hpp"
 #include "common/text/message_text.hpp"
 #include "viewer/view/live_view.hpp"
 #include "viewer/view/viewer_options.hpp"
@@ -52,12 +54,13 @@ void run(const Options& options) {
   view.parameters = adit::load_viewer_parameters(options.config);
   view.title = options.title;
   if (options.port >= 0) view.parameters.port = options.port;
+  view.listening_socket = adit::ServiceManager::take_listening_socket();
   if (options.print_config) {
     std::cout << adit::to_yaml(view.parameters, adit::kViewerSection);
     return;
   }
   const adit::StopSignal stop;  // before LCM starts its thread
-  adit::run_live_view(view, options.lcm_url, stop, [&](std::uint16_t port) {
+  adit::run_live_view(view, options.lcm_url, std::nullopt, stop, [&](std::uint16_t port) {
     std::cout << adit::browser_address(view.parameters.address, port) << "\n" << std::flush;
   });
 }

@@ -103,6 +103,27 @@ struct BlockingCell {
   friend bool operator==(const BlockingCell&, const BlockingCell&) = default;
 };
 
+/// "a step under the wheels", ..
+constexpr const char* description_of(BlockingCell::Reason reason) {
+  switch (reason) {
+    case BlockingCell::Reason::kStep:
+      return "a step under the wheels";
+    case BlockingCell::Reason::kBelly:
+      return "an obstacle that is too high to drive over";
+    case BlockingCell::Reason::kRoof:
+      return "a roof that is too low";
+    case BlockingCell::Reason::kUnknown:
+      return "unobserved ground";
+    case BlockingCell::Reason::kWater:
+      return "possible water";
+    case BlockingCell::Reason::kSlope:
+      return "a slope that is too steep";
+    case BlockingCell::Reason::kDrop:
+      return "a drop";
+  }
+  return "";
+}
+
 /// Result of planning for one goal.
 struct PlannedPath {
   std::int64_t utime =

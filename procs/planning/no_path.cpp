@@ -3,9 +3,9 @@
 #include "procs/planning/no_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,27 +20,39 @@ namespace {
 // not through it.
 constexpr double kPassedM = 1.0;
 
-// In the order of BlockingCell::Reason.
-constexpr std::array kReasonNames{
-    "a step under the wheels",
-    "an obstacle that is too high to drive over",
-    "a roof that is too low",
-    "unobserved ground",
-    "possible water",
-    "a slope that is too steep",
-    "a drop",
-};
-
 /// The most frequent reason of the cells.
 std::string main_reason(const std::vector<BlockingCell>& cells) {
   if (cells.empty()) return "the edge of the map";
-  std::array<int, kReasonNames.size()> counts{};
-  std::size_t main = 0;
+  std::map<BlockingCell::Reason, int> counts;
+  BlockingCell::Reason main = cells.front().reason;
   for (const BlockingCell& cell : cells) {
-    const auto i = static_cast<std::size_t>(cell.reason);
-    if (++counts.at(i) > counts.at(main)) main = i;
+    if (++counts[cell.reason] > counts[main]) main = cell.reason;
   }
-  return kReasonNames.at(main);
+  return description_of(main);
+}
+
+/// The cells in the lane of the vehicle ahead of its farthest pose, which decide that it ends
+/// there; all cells if there are none. The front of the region also touches the walls beside it,
+/// which often have more cells than what lies across the tunnel.
+std::vector<BlockingCell> cells_in_lane(const std::vector<BlockingCell>& cells,
+                                        const ReachableRegion& region, const GoalField& goals,
+                                        const CSpace& space, const NoPathContext& context) {
+  const auto progress = [&](const LatticePose& pose) {
+    return goals.progress(space.index(pose.column, pose.row));
+  };
+  const auto farthest = std::max_element(
+      region.poses.begin(), region.poses.end(),
+      [&](const LatticePose& a, const LatticePose& b) { return progress(a) < progress(b); });
+  const Eigen::Vector2d p_level = context.terrain.centre(farthest->column, farthest->row);
+  const Eigen::Vector2d ahead = goals.direction(p_level);
+  const Pose2 T_level_odom = context.terrain.T_odom_level.inverse();
+  std::vector<BlockingCell> found;
+  for (const BlockingCell& cell : cells) {
+    const Eigen::Vector2d offset = T_level_odom * cell.p_odom - p_level;
+    const double lateral_m = ahead.x() * offset.y() - ahead.y() * offset.x();
+    if (std::abs(lateral_m) <= 0.5 * context.vehicle.width_m) found.push_back(cell);
+  }
+  return found.empty() ? cells : found;
 }
 
 std::vector<std::uint8_t> cells_of(const ReachableRegion& region, const CSpace& space) {
@@ -138,8 +150,9 @@ NoPathExplanation explain_no_path(const Lattice& lattice, const LatticePose& sta
                           : PlanOutcome::kBlocked;
   path.reached_m = region.progress_m;
   path.blocking = blocking_cells(region, lattice, goals, evidence);
+  const auto deciding = cells_in_lane(path.blocking, region, goals, lattice.space, context);
   path.reason = fmt::format("No path: blocked by {} after {:.1f} m towards the goal{}.",
-                            main_reason(path.blocking), region.progress_m,
+                            main_reason(deciding), region.progress_m,
                             narrow ? ", but the robot may just fit" : "");
   return {path, cells_of(region, lattice.space)};
 }

@@ -31,7 +31,7 @@ void set_help(CLI::App& command, const CommandHelp& help);
 
 /// Writes a mission report with a progress bar. Warnings go to standard error, the location of the
 /// page and the outcome of the mission to standard output. Throws as write_report does.
-void print_report(const ReportOptions& options);
+void print_report(ReportOptions options);
 
 /// Formats the answer of a supervisor to "ps" (one row per line, tab-separated columns) as a table
 /// with a heading. The group column is omitted if it is empty.

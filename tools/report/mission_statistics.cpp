@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "tools/map/map_files.hpp"
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -76,6 +76,7 @@ void count_frontiers(const MissionRecords& records, MissionStatistics& statistic
     ++(is_closed(frontier.state) ? counts.closed : counts.open);
     if (frontier.state == FrontierState::kBlocked) ++counts.blocked;
     if (frontier.state == FrontierState::kUnconfirmed) ++counts.unconfirmed;
+    if (is_visitable(frontier.state)) ++counts.visitable;
   }
   statistics.frontiers = counts;
   statistics.explored_m = report->budget.explored_m;

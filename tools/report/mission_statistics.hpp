@@ -16,7 +16,7 @@
 #include "tools/map/doubt_list.hpp"
 #include "tools/map/summary.hpp"
 #include "tools/report/mission_map.hpp"
-#include "tools/report/records/event_record.hpp"
+#include "common/records/event_record.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/phase_record.hpp"
 #include "tools/report/records/scan_record.hpp"
@@ -49,6 +49,7 @@ struct FrontierCounts {
   std::size_t open = 0;
   std::size_t blocked = 0;      ///< of those closed
   std::size_t unconfirmed = 0;  ///< of those open: abandoned without evidence that they are blocked
+  std::size_t visitable = 0;    ///< of those open: they may still be visited
 };
 
 /// Figures of a mission. Optional ones are empty if the log lacks their channels.

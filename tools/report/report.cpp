@@ -17,10 +17,10 @@
 #include "common/bus/log/lcm_log.hpp"
 #include "common/files/file_utils.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/report/html/mission_page.hpp"
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/page/scan_cards.hpp"
 #include "tools/report/records/mission_log_reader.hpp"
 #include "tools/report/report_files.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -97,7 +97,7 @@ MissionReport write_report(const ReportOptions& given, const ReportProgress& pro
   };
   const LogInfo log_info = read_mission_log_info(options);
   const ResultFolder results(options.folder);
-  MissionLogReader reader(log_info, options.remap);
+  MissionLogReader reader(log_info, options.remap, options.viewer_page);
   reader.read(options, [&](double done) { report_progress("reading", done); });
 
   report_progress("drawing", 0.0);
@@ -118,9 +118,14 @@ MissionReport write_report(const ReportOptions& given, const ReportProgress& pro
            {records, statistics, content, reader.volume(), title}, results.unfinished())) {
     report.warnings.push_back(std::move(warning));
   }
-  const std::string page = mission_page(records, statistics, content, title, report.warnings);
-  report.page_bytes = page.size();
-  write_text_file(page, results.unfinished() / "mission.html");
+  if (auto& page = reader.page()) {
+    const std::string html =
+        page->html(records, statistics, map, content.grid, title, report.warnings);
+    report.page_bytes = html.size();
+    write_text_file(html, results.unfinished() / "mission.html");
+  } else {
+    report.warnings.emplace_back("no mission.html: this build has no page of the viewer");
+  }
   store_log(options.logs, options.folder, results.unfinished());
   results.publish();
   report_progress("writing", 1.0);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct ReportOptions {
   std::vector<std::filesystem::path> logs;  ///< of one mission, in any order
   std::filesystem::path folder;             ///< created if it does not exist
   bool remap = false;  ///< build the map from laser scans and their matches, not from LOCAL_MAP
+  /// For mission.html, which is left out without; see viewer_page().
+  std::optional<std::string> viewer_page = {};
 };
 
 struct MissionReport {

@@ -20,7 +20,7 @@
 #include "procs/volume_map/volume_export.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/map/map_files.hpp"
-#include "tools/report/html/text_format.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {

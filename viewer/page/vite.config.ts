@@ -1,7 +1,25 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+import { readdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+
+/** The notices of the packages that the page contains, which their licences ask to keep with every copy. */
+function notices(modules: Iterable<string>): string {
+  const folders = new Set<string>();
+  for (const module of modules) {
+    const match = /^\0?(.*\/node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(module);
+    if (match) folders.add(match[1]!);
+  }
+  const packagesOf = new Map<string, string[]>();  // by text of the licence
+  for (const folder of [...folders].sort()) {
+    const { name, version, license } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8")) as Record<string, string>;
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry));
+    const text = file ? readFileSync(`${folder}/${file}`, "utf8").trim() : "";
+    packagesOf.set(text, [...(packagesOf.get(text) ?? []), `${name} ${version} (${license})`]);
+  }
+  return [...packagesOf].map(([text, packages]) => `${packages.join(", ")}\n\n${text}`).join("\n\n\n").replaceAll("--", "- -");
+}
 
 /** Puts all scripts and styles into the page, so that it is one file that loads nothing. */
 function oneFile(): Plugin {
@@ -25,6 +43,7 @@ function oneFile(): Plugin {
       html = html
         .replace(/\s*<script type="module"[^>]*src=[^>]*><\/script>/, "")
         .replace(/\s*<link rel="(stylesheet|modulepreload)"[^>]*>/g, "")
+        .replace("<html", () => `<!-- This page contains:\n\n${notices(this.getModuleIds())}\n-->\n<html`)
         .replace("</head>", () => `<style>${styles}</style>\n</head>`)
         .replace("</body>", () => `<script type="module">${script}</script>\n</body>`);
       if (html.split("</body>").length !== 2) this.error("page.html needs exactly one </body>");

@@ -21,6 +21,8 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include "viewer/server/client_outbox.hpp"
 #include "viewer/server/request_origin.hpp"
@@ -67,6 +69,17 @@ int listen_on(const std::string& address, std::uint16_t port) {
         fmt::format("cannot listen on {}:{}: {}", address, port, error.code().message()));
   }
   return acceptor.release();
+}
+
+std::uint16_t port_of(int listening_socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (getsockname(listening_socket, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+    throw std::runtime_error("a socket without an address");
+  const auto* const any = reinterpret_cast<const sockaddr*>(&address);
+  return any->sa_family == AF_INET6
+             ? ntohs(reinterpret_cast<const sockaddr_in6*>(&address)->sin6_port)
+             : ntohs(reinterpret_cast<const sockaddr_in*>(&address)->sin_port);
 }
 
 class ViewerServer::Implementation {

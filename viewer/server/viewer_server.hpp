@@ -30,6 +30,9 @@ struct ViewerServerOptions {
 /// Opens a listening TCP socket, not inherited by other programs. Throws std::runtime_error.
 int listen_on(const std::string& address, std::uint16_t port);
 
+/// The port of a listening socket.
+std::uint16_t port_of(int listening_socket);
+
 /// Serves topics over Foxglove's WebSocket protocol, and the page over HTTP, at one port. All work
 /// is done in `poll`, without blocking. No client can delay another one or the caller: each has a
 /// bounded outbox (ClientOutbox), limits of size and time bound what it may send, and one that does

@@ -13,20 +13,21 @@
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
+#include "tools/report/page/mission_html.hpp"
 #include "tools/report/report.hpp"
 
 namespace adit {
 
-void print_report(const ReportOptions& options) {
+void print_report(ReportOptions options) {
+  options.viewer_page = viewer_page();
   std::optional<RunProgress> progress(std::in_place, options.folder);
   const MissionReport result = write_report(
       options, [&](const std::string& step, double done) { progress->update(step, done); });
   progress.reset();
   for (const std::string& message : result.warnings) print_error("adit", message);
   if (!result.accuracy.empty()) std::cout << result.accuracy << "\n";
-  std::cout << message_line(fmt::format("{}: {}", (options.folder / "mission.html").string(),
-                                        result.outcome))
-            << "\n"
+  const auto place = result.page_bytes > 0 ? options.folder / "mission.html" : options.folder;
+  std::cout << message_line(fmt::format("{}: {}", place.string(), result.outcome)) << "\n"
             << std::flush;
 }
 
@@ -34,7 +35,7 @@ namespace {
 
 constexpr const char* kReportDetails =
     R"(Outputs in DIR:
-  mission.html          report: outcome, map, phases, 3D scans, frontiers, events; a self-contained page
+  mission.html          the page of the viewer with the mission inside: map, 3D, time, plots, 3D scans
   map.png, map.svg      map with the traversed path
   map.pgm, map.yaml     occupancy grid for ROS map_server and Nav2
   graph.g2o             pose graph

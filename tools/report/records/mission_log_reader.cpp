@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -35,16 +37,18 @@ bool is_plausible_at(std::int64_t utime, const MemoryBus& bus) {
   return bus.now_utime() == 0 || utime - bus.now_utime() < kGapMaxUs;
 }
 
-/// Replays the selected channels of logs, one log after the other, each in its order. Throws
-/// std::runtime_error for a file that cannot be read.
+/// Replays the selected channels of logs, one log after the other, each in its order; `after_event`
+/// is called after each event. Throws std::runtime_error for a file that cannot be read.
 void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& selected,
-               MemoryBus& bus, const std::function<void(double)>& progress) {
+               MemoryBus& bus, const std::function<void(double)>& progress,
+               const std::function<void()>& after_event) {
   for (std::size_t i = 0; i < logs.size(); ++i) {
     LogReader reader(logs[i]);
     std::size_t events = 0;
     while (const auto event = reader.next()) {
       if (selected.contains(event->channel) && is_plausible_at(event->utime, bus)) {
         bus.inject(event->utime, event->channel, event->data);
+        after_event();
       }
       if (++events % kEventsPerProgress != 0) continue;
       progress((static_cast<double>(i) + reader.fraction_read()) /
@@ -53,20 +57,15 @@ void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& s
   }
 }
 
-Channels selected_channels(bool remap) {
+/// All channels that somebody reads. With `remap` those of mapping come from the stage.
+Channels selected_channels(const StageBus& bus, bool remap) {
   Channels selected;
-  for (const auto channel :
-       {channels::kPhase, channels::kScanRequest, channels::kCloud, channels::kDrivingState,
-        channels::kPose, channels::kTruth, channels::kTerrain, channels::kGoal, channels::kPath,
-        channels::kStop, channels::kMissionOrder, channels::kHeartbeat, channels::kExploration,
-        channels::kRunState, channels::kGas, channels::kVehicleState}) {
-    selected.emplace(channel);
+  for (const SubscriptionId id : bus.subscriptions()) selected.emplace(bus.stats(id).channel);
+  if (!remap) return selected;
+  for (const auto channel : {channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,
+                             channels::kAssociation, channels::kContradictions}) {
+    selected.erase(std::string(channel));
   }
-  const auto map = {channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,
-                    channels::kAssociation, channels::kContradictions};
-  const auto input = {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch,
-                      channels::kWheelOdometry};
-  for (const auto channel : remap ? input : map) selected.emplace(channel);
   return selected;
 }
 
@@ -82,12 +81,14 @@ Params stage_params(const LogInfo& log_info, const std::string& stage,
 
 }  // namespace
 
-MissionLogReader::MissionLogReader(const LogInfo& log_info, bool remap)
+MissionLogReader::MissionLogReader(const LogInfo& log_info, bool remap,
+                                   std::optional<std::string> viewer_page)
     : log_info_(log_info),
       scan_renderer_(recorded_params<PlanningParams>(log_info, "planning", config_warnings_)),
       scans_(stage_bus_, [this](const ScanProducts& scan) { return scan_renderer_.render(scan); }),
       volume_(stage_bus_,
               stage_params<VolumeMapNode::Params>(log_info, "volume_map", config_warnings_)) {
+  if (viewer_page) page_.emplace(stage_bus_, log_info.lasers, std::move(*viewer_page));
   if (!remap) return;
   mapping_.emplace(stage_bus_,
                    stage_params<MappingNodeParams>(log_info, "mapping", config_warnings_));
@@ -95,7 +96,9 @@ MissionLogReader::MissionLogReader(const LogInfo& log_info, bool remap)
 
 void MissionLogReader::read(const ReportOptions& options,
                             const std::function<void(double)>& progress) {
-  play_logs(options.logs, selected_channels(options.remap), bus_, progress);
+  play_logs(options.logs, selected_channels(stage_bus_, options.remap), bus_, progress, [this] {
+    if (page_) page_->record(bus_.now_utime());
+  });
   phases_.finish(log_info_.last_utime);
   scans_.finish();
   events_.finish(log_info_.last_utime);

@@ -9,10 +9,11 @@
 
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/node_host.hpp"
+#include "common/records/event_record.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/volume_map/volume_map_node.hpp"
 #include "tools/report/mission_statistics.hpp"
-#include "tools/report/records/event_record.hpp"
+#include "tools/report/page/mission_page.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/map_record.hpp"
 #include "tools/report/records/phase_record.hpp"
@@ -22,12 +23,12 @@
 
 namespace adit {
 
-/// Replays the logs of a mission to the records, to the stage volume_map and, with `remap`, to the
-/// stage mapping.
+/// Replays the logs of a mission to the records, to the stage volume_map, with `remap` to the stage
+/// mapping, and to the page.
 class MissionLogReader {
  public:
-  /// `log_info` must outlive this.
-  MissionLogReader(const LogInfo& log_info, bool remap);
+  /// `log_info` must outlive this. With the page of the viewer, page() makes mission.html.
+  MissionLogReader(const LogInfo& log_info, bool remap, std::optional<std::string> viewer_page);
   MissionLogReader(const MissionLogReader&) = delete;
   MissionLogReader& operator=(const MissionLogReader&) = delete;
 
@@ -40,6 +41,7 @@ class MissionLogReader {
   }
   [[nodiscard]] MapRecord& map() { return map_; }
   [[nodiscard]] const VolumeMap& volume() const { return volume_.map(); }
+  [[nodiscard]] std::optional<MissionPage>& page() { return page_; }
 
  private:
   const LogInfo& log_info_;
@@ -54,6 +56,7 @@ class MissionLogReader {
   StateRecord state_{stage_bus_};
   VolumeMapNode volume_;
   std::optional<MappingNode> mapping_;
+  std::optional<MissionPage> page_;
 };
 
 }  // namespace adit

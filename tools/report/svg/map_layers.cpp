@@ -12,10 +12,10 @@
 #include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
 #include "tools/map/map_files.hpp"
-#include "tools/report/html/markup.hpp"
-#include "tools/report/html/text_format.hpp"
 #include "tools/report/mission_statistics.hpp"
 #include "tools/report/svg/indexed_png.hpp"
+#include "tools/report/svg/markup.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html/markup.hpp"
-#include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/map_layers.hpp"
+#include "tools/report/svg/markup.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -61,14 +61,6 @@ std::string legend_svg(double y) {
 
 }  // namespace
 
-std::string map_svg(const MapContent& map) {
-  const MapView view(map.grid, map.map->path());
-  return fmt::format(
-      R"(<svg class="mine" {} role="group" aria-label="Map of the mine with the path">{}{}</svg>)",
-      size_attributes(view.width(), view.height()), layers(map, view, ""),
-      scale_svg(view, {14.0, view.height() - 12.0}));
-}
-
 std::string map_svg_file(const MapContent& map, const std::string& title) {
   const MapView view(map.grid, map.map->path());
   const double width = std::max(view.width(), kFileWidthMin);
@@ -83,7 +75,7 @@ std::string map_svg_file(const MapContent& map, const std::string& title) {
 {}
 </svg>
 )svg",
-                     size_attributes(width, height), page_file("map"), escaped(title),
+                     size_attributes(width, height), style_file("map"), escaped(title),
                      fixed(width, 1), fixed(height, 1), escaped(title),
                      fixed((width - view.width()) / 2.0, 1), fixed(kHeadUnits, 1),
                      layers(map, view, "mission.html"),

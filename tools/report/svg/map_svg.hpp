@@ -31,11 +31,8 @@ struct MapContent {
   std::optional<std::int64_t> return_home_utime;  ///< start of the return path
 };
 
-/// The map as an <svg> element for a page, styled by map.css. Scans link to "#scan-1" and so on,
-/// frontiers to "#frontier-0".
-std::string map_svg(const MapContent& map);
-
-/// The map as an SVG file with style, title and legend. Links refer to mission.html.
+/// The map as an SVG file with style, title and legend. Scans link to "mission.html#scan-1" and so
+/// on, frontiers to "mission.html#frontier-0".
 std::string map_svg_file(const MapContent& map, const std::string& title);
 
 }  // namespace adit

@@ -3,6 +3,7 @@
 #include "tools/report/svg/scan_pictures.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -11,9 +12,9 @@
 #include "common/picture/plan_picture.hpp"
 #include "common/picture/terrain_picture.hpp"
 #include "procs/planning/planning_picture.hpp"
-#include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
 #include "tools/report/svg/terrain_svg.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -37,9 +38,11 @@ Cloud in_laser_direction(Cloud cloud) {
 
 std::string view_of(const Cloud& cloud) {
   const RgbImage image = cloud_image(in_laser_direction(cloud), kViewWidth, kViewHeight);
-  return fmt::format(
-      R"(<img width="{}" height="{}" alt="Points of the scan, in the direction of the laser" src="{}">)",
-      kViewWidth, kViewHeight, data_uri("image/png", indexed_png(image)));
+  return data_uri("image/png", indexed_png(image));
+}
+
+std::string svg_uri(const std::string& svg) {
+  return data_uri("image/svg+xml", {reinterpret_cast<const std::uint8_t*>(svg.data()), svg.size()});
 }
 
 /// Heading of the middle of the path, otherwise of the route or the goal, in level [rad].
@@ -65,8 +68,8 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (scan.cloud) pictures.view = view_of(*scan.cloud);
   if (!scan.terrain || scan.terrain->cells.box().empty()) return pictures;
   const CellBox box = visible_box(scan);
-  pictures.terrain = terrain_svg(scan, terrain_image(*scan.terrain), box, params_.vehicle,
-                                 "Terrain: bright cells are smooth");
+  pictures.terrain = svg_uri(terrain_svg(scan, terrain_image(*scan.terrain), box, params_.vehicle,
+                                         "Terrain: bright cells are smooth"));
   const double heading_rad = heading_of(scan);
   try {
     planning_.prepare(*scan.terrain, scan.terrain->T_odom_level);
@@ -78,8 +81,9 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (plan.slices.empty()) return pictures;
   const double heading_deg = rad_to_deg(heading_rad);
   pictures.heading_deg = heading_deg;
-  pictures.c_space = terrain_svg(scan, grey_image(plan.slices.front()), box, params_.vehicle,
-                                 fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0)));
+  pictures.c_space =
+      svg_uri(terrain_svg(scan, grey_image(plan.slices.front()), box, params_.vehicle,
+                          fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0))));
   return pictures;
 }
 

@@ -22,11 +22,11 @@ struct ScanProducts {
   std::optional<PlannedPath> path;
 };
 
-/// Small pictures of a scan as HTML; empty without data.
+/// Small pictures of a scan as data URIs; empty without data.
 struct ScanPictures {
-  std::string view;          ///< <img> of the points
-  std::string terrain;       ///< <svg> with the path or the blocking cells
-  std::string c_space;       ///< <svg>, at `heading_deg`
+  std::string view;          ///< the points (PNG)
+  std::string terrain;       ///< with the path or the blocking cells (SVG)
+  std::string c_space;       ///< at `heading_deg` (SVG)
   double heading_deg = 0.0;  ///< heading of the path or the goal in the frame of the level
 };
 

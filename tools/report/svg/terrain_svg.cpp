@@ -15,9 +15,9 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/types/terrain_map.hpp"
-#include "tools/report/html/markup.hpp"
-#include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
+#include "tools/report/svg/markup.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -25,6 +25,7 @@ namespace {
 constexpr double kOutlineSpacingM = 1.5;  // between outlines of the vehicle on the path
 constexpr double kMarginM = 0.6;          // around observed cells
 constexpr double kSideMinM = 6.0;
+constexpr int kPixelsPerCell = 4;
 
 /// Transforms the frame level to a drawing of some cells of a terrain: a unit per cell, y down.
 class CellView {
@@ -184,16 +185,18 @@ CellBox visible_box(const ScanProducts& scan) {
 }
 
 std::string terrain_svg(const ScanProducts& scan, const RgbImage& cells, const CellBox& box,
-                        const Vehicle& vehicle, const std::string& label) {
+                        const Vehicle& vehicle, const std::string& title) {
   const CellView view(*scan.terrain, box);
   std::string layers;
   if (scan.goal) layers += goal_svg(view, *scan.goal);
   if (scan.path) layers += path_svg(view, *scan.path, vehicle) + blocking_svg(view, *scan.path);
   layers += vehicle_svg(view, vehicle);
-  return fmt::format(R"(<svg class="cells" viewBox="0 0 {0} {1}" role="img" aria-label="{2}">)"
-                     R"(<image width="{0}" height="{1}" href="{3}"/>{4}</svg>)",
-                     box.size().x(), box.size().y(), escaped(label),
-                     data_uri("image/png", indexed_png(cropped(cells, box))), layers);
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" class="cells" viewBox="0 0 {0} {1}" width="{2}" height="{3}">)"
+      R"(<title>{4}</title><style>{5}</style><image width="{0}" height="{1}" href="{6}"/>{7}</svg>)",
+      box.size().x(), box.size().y(), kPixelsPerCell * box.size().x(),
+      kPixelsPerCell * box.size().y(), escaped(title), style_file("terrain"),
+      data_uri("image/png", indexed_png(cropped(cells, box))), layers);
 }
 
 }  // namespace adit

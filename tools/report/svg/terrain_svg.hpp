@@ -23,9 +23,9 @@ const BlockingName& blocking_name(BlockingCell::Reason reason);
 /// wide.
 CellBox visible_box(const ScanProducts& scan);
 
-/// An <svg> of the cells of a terrain in a box: `cells` is the image of all cells, with goal, path,
-/// blocking cells and vehicle on top. `label` is the text for screen readers.
+/// An SVG file of the cells of a terrain in a box: `cells` is the image of all cells, with goal,
+/// path, blocking cells and vehicle on top. `title` is the text for screen readers.
 std::string terrain_svg(const ScanProducts& scan, const RgbImage& cells, const CellBox& box,
-                        const Vehicle& vehicle, const std::string& label);
+                        const Vehicle& vehicle, const std::string& title);
 
 }  // namespace adit

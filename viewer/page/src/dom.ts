@@ -20,9 +20,10 @@ export function setText(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Without a head if there are no names. */
 export function table(head: string[], rows: Child[][]): HTMLTableElement {
   const cells = (tag: "th" | "td", values: Child[]) => el("tr", {}, ...values.map((value) => el(tag, {}, value)));
-  return el("table", {}, el("thead", {}, cells("th", head)), el("tbody", {}, ...rows.map((row) => cells("td", row))));
+  return el("table", {}, head.length > 0 ? el("thead", {}, cells("th", head)) : null, el("tbody", {}, ...rows.map((row) => cells("td", row))));
 }
 
 export const kNone = "–";

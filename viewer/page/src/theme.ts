@@ -1,6 +1,14 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Colours of canvases, from the style sheet, so that light and dark have one source. */
+/** Light or dark, and the colours of canvases, from the style sheet, so that both have one source. */
+import { byId, setText } from "./dom";
+
+const kPhases = new Set(["waiting", "explore", "scan", "plan", "execute", "paused", "ended"]);
+const kStateColours: Record<string, string> = { open: "open", explored: "done", blocked: "blocked", "too narrow": "blocked" };
+const kHazardColours: Record<string, string> = {
+  water: "water", mud: "water", methane: "gas", oxygen: "gas", "carbon monoxide": "gas", gas: "gas", drop: "drop",
+};
+
 let cache = new Map<string, string>();
 let generation = 0;
 
@@ -21,19 +29,27 @@ export function rgb(name: string): [number, number, number] {
 /** Changes whenever the colours do. */
 export function themeGeneration(): number { return generation; }
 
-export function setTheme(theme: "light" | "dark" | "auto"): void {
-  if (theme === "auto") delete document.documentElement.dataset.theme;
-  else document.documentElement.dataset.theme = theme;
+/** True for a phase that has a colour of its own. */
+export function isPhase(phase: string): boolean { return kPhases.has(phase); }
+export function stateColour(state: string): string { return colour(kStateColours[state] ?? "soft"); }
+export function hazardColour(kind: string): string { return colour(kHazardColours[kind] ?? "hazard"); }
+
+function setTheme(theme: "light" | "dark"): void {
+  document.documentElement.dataset.theme = theme;
+  setText(byId("theme"), theme === "dark" ? "Light" : "Dark");
   cache = new Map();
   ++generation;
 }
 
-export function watchTheme(onChange: () => void): void {
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { cache = new Map(); ++generation; onChange(); });
+/** Follows the system, until the button is used; paper is light. */
+export function wireTheme(onChange: () => void): void {
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const fromSystem = () => { setTheme(dark.matches ? "dark" : "light"); onChange(); };
+  const current = () => (document.documentElement.dataset.theme === "dark" ? "dark" : "light");
+  let beforePrint: "light" | "dark" = "light";
+  dark.addEventListener("change", fromSystem);
+  byId("theme").onclick = () => { setTheme(current() === "dark" ? "light" : "dark"); onChange(); };
+  window.addEventListener("beforeprint", () => { beforePrint = current(); setTheme("light"); onChange(); });
+  window.addEventListener("afterprint", () => { setTheme(beforePrint); onChange(); });
+  fromSystem();
 }
-
-const kStateColours: Record<string, string> = { open: "open", explored: "done", blocked: "blocked", "too narrow": "blocked" };
-export function stateColour(state: string): string { return colour(kStateColours[state] ?? "soft"); }
-
-const kHazardColours: Record<string, string> = { water: "water", mud: "water", gas: "gas", drop: "drop" };
-export function hazardColour(kind: string): string { return colour(kHazardColours[kind] ?? "hazard"); }

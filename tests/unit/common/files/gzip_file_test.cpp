@@ -12,6 +12,7 @@
 #include <zlib.h>
 
 #include "common/files/file_utils.hpp"
+#include "common/files/gzip_encoder.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -120,6 +121,16 @@ TEST_F(GzipFileTest, DamageIsAnErrorOfAFileReadAsAWhole) {
   std::ofstream(folder_ / "x.gz", std::ios::binary) << bytes;
   EXPECT_EQ(read_gzip_file(folder_ / "x.gz"), numbers(0, 1000));
   EXPECT_THROW(read_gzip_file(folder_ / "x.gz", 1000), std::runtime_error);  // a small bomb
+}
+
+TEST_F(GzipFileTest, ReadsWhatTheEncoderWrites) {
+  GzipEncoder encoder;
+  for (int i = 0; i < 50'000; i += 1000) encoder.add(numbers(i, i + 1000));
+  std::ofstream(folder_ / "parts.gz", std::ios::binary) << encoder.finish();
+  EXPECT_TRUE(read_gzip_file(folder_ / "parts.gz") == numbers(0, 50'000));
+  GzipEncoder empty;
+  std::ofstream(folder_ / "empty.gz", std::ios::binary) << empty.finish();
+  EXPECT_EQ(read_gzip_file(folder_ / "empty.gz"), "");
 }
 
 }  // namespace

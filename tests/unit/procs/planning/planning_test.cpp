@@ -188,6 +188,17 @@ TEST(Planning, ReportsTheReasonOfBlockingCells) {
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
 }
 
+TEST(Planning, NamesWhatLiesAcrossTheTunnelNotTheRubbleBesideIt) {
+  TerrainMap terrain = corridor_with(unmeasured_cell(Ground::kNoReturn), {3.0, -2.0}, {3.2, 2.0});
+  for (const double y : {-2.0, 1.0}) {
+    paint_box(terrain, obstacle_cell(0.6), {0.8, y}, {3.0, y + 1.0});
+  }
+  const PlannedPath path = plan(terrain);
+  ASSERT_EQ(path.outcome, PlanOutcome::kBlocked);
+  EXPECT_GT(count(path, Reason::kBelly), count(path, Reason::kWater));
+  EXPECT_THAT(path.reason, testing::HasSubstr("possible water"));
+}
+
 TEST(Planning, DistinguishesUnobservedGroundFromObstacles) {
   const Eigen::Vector2d low(2.5, -2.0);
   const PlannedPath unknown =

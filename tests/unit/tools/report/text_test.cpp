@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {

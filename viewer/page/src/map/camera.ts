@@ -14,6 +14,10 @@ export class Camera {
   toMap(px: number, py: number): [number, number] {
     return [this.x + (px - this.width / 2) / this.scale, this.y - (py - this.height / 2) / this.scale];
   }
+  pan(dx_px: number, dy_px: number): void {
+    this.x -= dx_px / this.scale;
+    this.y += dy_px / this.scale;
+  }
   /** Keeps the point below the pointer where it is. */
   zoom(factor: number, px: number, py: number): void {
     const [x, y] = this.toMap(px, py);

@@ -15,7 +15,7 @@ const kPlots: [title: string, matches: (key: string) => boolean][] = [
 const kColours = ["outbound", "return", "done", "sd", "gas", "open", "drop", "loop", "revoked", "soft"];
 
 export class Plots {
-  readonly section = el("section", { id: "panel-plots", class: "live" }, el("h2", {}, "Plots"));
+  readonly section = el("section", { id: "panel-plots", class: "screen" }, el("h2", {}, "Plots"));
   #plots = new Map<string, { plot: uPlot; host: HTMLElement; key: string }>();
   #time_s = NaN;
 

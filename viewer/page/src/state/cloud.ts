@@ -58,3 +58,33 @@ export function cloudOf(message: Raw): Cloud {
     scan: scan && scan.subarray(0, count), clearance: clearance && clearance.subarray(0, count),
   };
 }
+
+/** The points in the order of their scans, so that those up to a scan come first; unchanged without numbers of scans. */
+export function sortedByScan(cloud: Cloud): Cloud {
+  const { scan, count } = cloud;
+  if (!scan || scan.every((number, i) => i === 0 || scan[i - 1]! <= number)) return cloud;
+  const starts = new Uint32Array(65537);
+  for (const number of scan) ++starts[number + 1]!;
+  for (let i = 1; i < starts.length; ++i) starts[i]! += starts[i - 1]!;
+  const sorted = { ...cloud, xyz: new Float32Array(3 * count), scan: new Uint16Array(count), clearance: cloud.clearance && new Uint8Array(count) };
+  for (let i = 0; i < count; ++i) {
+    const at = starts[scan[i]!]!++;
+    sorted.xyz.set(cloud.xyz.subarray(3 * i, 3 * i + 3), 3 * at);
+    sorted.scan[at] = scan[i]!;
+    if (sorted.clearance) sorted.clearance[at] = cloud.clearance![i]!;
+  }
+  return sorted;
+}
+
+/** Number of points of a sorted cloud whose scan has at most a number. */
+export function countUpTo(cloud: Cloud, scan: number): number {
+  if (!cloud.scan) return cloud.count;
+  let low = 0;
+  let high = cloud.count;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (cloud.scan[middle]! <= scan) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

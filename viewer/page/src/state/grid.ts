@@ -93,3 +93,13 @@ export function boundsOf(grid: Grid): { x0: number; y0: number; x1: number; y1: 
   const ys = corners.map((p) => p[1]);
   return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
 }
+
+/** Area in square metres of the cells that are not wall, by coverage (index of kCoverage). */
+export function coverageAreas(grid: Grid): number[] {
+  const areas_m2 = kCoverage.map(() => 0);
+  for (let i = 0; i < grid.coverage.length; ++i) {
+    const isWall = grid.occupancy[i] !== kUnknown && grid.occupancy[i]! >= kOccupied;
+    if (!isWall) areas_m2[grid.coverage[i]!]! += grid.cell_m * grid.cell_m;
+  }
+  return areas_m2;
+}

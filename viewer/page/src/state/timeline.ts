@@ -52,6 +52,8 @@ export class Timeline<T> {
     return null;
   }
 
+  last(): Found<T> | null { return this.at(Infinity); }
+
   /** The first that can be decoded. */
   first(): Found<T> | null {
     for (const entry of this.#entries) {

@@ -26,9 +26,9 @@ export function numOrNull(value: unknown): number | null {
   return Number.isNaN(number) ? null : number;
 }
 
-/** Texts are cut at a length that no honest one has. */
-export function str(value: unknown, otherwise = ""): string {
-  if (typeof value === "string") return value.length > 4000 ? `${value.slice(0, 4000)} …` : value;
+/** Texts are cut at a length that a well-formed one does not reach. */
+export function str(value: unknown, otherwise = "", limit = 4000): string {
+  if (typeof value === "string") return value.length > limit ? `${value.slice(0, limit)} …` : value;
   if (typeof value === "number" || typeof value === "boolean") return String(value);
   return otherwise;
 }

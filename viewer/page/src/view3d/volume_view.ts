@@ -3,67 +3,52 @@
 /** The 3D scans as points: orbit, colour, clip height, coordinates of a clicked point, distance of two. */
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { el, fixed } from "../dom";
-import { kClearanceUnit_m, type Cloud } from "../state/cloud";
+import { el, fixed, setText } from "../dom";
+import { countUpTo, sortedByScan, type Cloud } from "../state/cloud";
 import type { Model } from "../state/model";
 import { colour, themeGeneration } from "../theme";
+import { coloursOf, kColourings, legendOf, type Colouring } from "./colours";
+import { pick } from "./picking";
 
-type Colouring = "height" | "scan" | "clearance";
-const kPick_px = 8;
-
-/** Blue over green to yellow; share from 0 to 1. */
-function ramp(share: number): [number, number, number] {
-  const s = Math.min(1, Math.max(0, share));
-  return [0.2 + 0.75 * s * s, 0.25 + 0.6 * s, 0.75 - 0.6 * s];
-}
-
-function coloursOf(cloud: Cloud, by: Colouring, low: number, high: number): Float32Array {
-  const colours = new Float32Array(3 * cloud.count);
-  for (let i = 0; i < cloud.count; ++i) {
-    let c: [number, number, number];
-    if (by === "scan" && cloud.scan) c = ramp((cloud.scan[i]! * 0.381966) % 1);
-    else if (by === "clearance" && cloud.clearance) {
-      const value = cloud.clearance[i]!;
-      c = value === 255 ? [0.5, 0.5, 0.5] : ramp(value * kClearanceUnit_m / 3);
-    } else c = ramp((cloud.xyz[3 * i + 2]! - low) / Math.max(0.1, high - low));
-    colours.set(c, 3 * i);
-  }
-  return colours;
-}
+const kClick_px = 5;
+/** Drawn while the view moves; every n-th point of a larger cloud, so that software rendering follows the hand. */
+const kMovingPoints = 300_000;
 
 export class VolumeView {
-  #renderer: THREE.WebGLRenderer | null = null;
-  #scene = new THREE.Scene();
-  #camera = new THREE.PerspectiveCamera(55, 1, 0.1, 3000);
-  #controls: OrbitControls | null = null;
-  #points: THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial> | null = null;
-  #clip = new THREE.Plane(new THREE.Vector3(0, 0, -1), Infinity);
-  #cloud: Cloud | null = null;
-  #key = "";
-  #fitted = false;
-  #picked: THREE.Vector3[] = [];
-  #line = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xff2090, depthTest: false }));
-  #dirty = true;
-  #frames: number[] = [];
-  readonly #colouring = el("select", { "aria-label": "colour" }, ...["height", "scan", "clearance"].map((v) => el("option", { value: v }, v)));
-  readonly #source = el("select", { "aria-label": "cloud" }, el("option", { value: "volume" }, "all scans"), el("option", { value: "cloud" }, "newest scan"));
+  readonly #renderer: THREE.WebGLRenderer | null;
+  readonly #scene = new THREE.Scene();
+  readonly #camera = new THREE.PerspectiveCamera(55, 1, 0.1, 3000);
+  readonly #clip = new THREE.Plane(new THREE.Vector3(0, 0, -1), Infinity);
+  readonly #line = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xff2090, depthTest: false }));
+  readonly #colouring = el("select", { "aria-label": "colour" }, ...kColourings.map((name) => el("option", { value: name }, name)));
+  readonly #source = el("select", { "aria-label": "cloud" }, el("option", { value: "volume" }, "all 3D scans"), el("option", { value: "cloud" }, "newest 3D scan"));
   readonly #height = el("input", { type: "range", min: "0", max: "1", step: "0.001", value: "1", "aria-label": "clip height" });
   readonly #status = el("span", { role: "status", id: "volume-status" });
+  readonly #legend = el("span", { class: "soft" });
+  #controls: OrbitControls | null = null;
+  #points: THREE.Points<THREE.BufferGeometry, THREE.PointsMaterial> | null = null;
+  #received: Cloud | null = null;
+  #cloud: Cloud | null = null;
+  #count = 0;
+  #key = "";
+  #isFitted = false;
+  #isMoving = false;
+  #picked: THREE.Vector3[] = [];
+  #dirty = true;
+  #frames_ms: number[] = [];
 
   constructor(private readonly host: HTMLElement, private readonly model: Model) {
-    try {
-      this.#renderer = new THREE.WebGLRenderer({ antialias: false });
-    } catch {
-      host.append(el("p", { class: "bar" }, "This browser has no WebGL, which the 3D view needs."));
-      return;
-    }
+    this.#renderer = this.#createRenderer();
+    if (!this.#renderer) return;
     const canvas = this.#renderer.domElement;
     canvas.tabIndex = 0;
-    host.append(canvas, el("div", { class: "bar" }, this.#source, this.#colouring, el("label", {}, "up to ", this.#height), this.#status));
+    host.append(canvas, el("div", { class: "bar" }, this.#source, this.#colouring, el("label", {}, "up to ", this.#height), this.#status, this.#legend));
     this.#renderer.localClippingEnabled = true;
     this.#camera.up.set(0, 0, 1);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.addEventListener("change", () => { this.#dirty = true; });
+    this.#controls.addEventListener("start", () => this.#setMoving(true));
+    this.#controls.addEventListener("end", () => this.#setMoving(false));
     this.#line.renderOrder = 1;
     this.#scene.add(this.#line);
     new ResizeObserver(() => { this.#dirty = true; }).observe(host);
@@ -71,16 +56,16 @@ export class VolumeView {
     let down: [number, number] = [0, 0];
     canvas.addEventListener("pointerdown", (event) => { down = [event.offsetX, event.offsetY]; });
     canvas.addEventListener("click", (event) => {
-      if (Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < 5) this.#pick(event.offsetX, event.offsetY);
+      if (Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < kClick_px) this.#pick(event.offsetX, event.offsetY);
     });
   }
 
   draw(time_s: number): void {
     if (!this.#renderer || this.host.hidden) return;
-    const timeline = this.#source.value === "cloud" ? this.model.cloud : this.model.volume;
-    const cloud = (timeline.at(time_s) ?? timeline.first())?.value ?? null;
+    const cloud = this.#cloudAt(time_s);
     const key = `${this.#colouring.value} ${themeGeneration()}`;
-    if (cloud !== this.#cloud || key !== this.#key) this.#load(cloud, key);
+    if (cloud !== this.#received || key !== this.#key) this.#load(cloud, key);
+    this.#showUpTo(time_s);
     if (!this.#dirty) return;
     this.#dirty = false;
     const { clientWidth: w, clientHeight: h } = this.host;
@@ -88,16 +73,64 @@ export class VolumeView {
     this.#renderer.setSize(w, h);
     this.#camera.aspect = w / Math.max(1, h);
     this.#camera.updateProjectionMatrix();
-    const [low, high] = this.#range();
-    const top = Number(this.#height.value) >= 1 ? Infinity : low + Number(this.#height.value) * (high - low);
-    this.#clip.constant = Number.isFinite(top) ? top : 1e9;
+    const [low_m, high_m] = this.#range();
+    const share = Number(this.#height.value);
+    this.#clip.constant = share >= 1 ? 1e9 : low_m + share * (high_m - low_m);
     this.#renderer.render(this.#scene, this.#camera);
-    const now = performance.now();
-    this.#frames = [...this.#frames.filter((t) => now - t < 1000), now];
+    this.#showStatus(share < 1);
+  }
+
+  #createRenderer(): THREE.WebGLRenderer | null {
+    try {
+      return new THREE.WebGLRenderer({ antialias: false });
+    } catch {
+      this.host.append(el("p", { class: "bar" }, "This browser has no WebGL, which the 3D view needs."));
+      return null;
+    }
+  }
+
+  /** The newest volume, of which the time shown selects scans; or the 3D scan of that time. */
+  #cloudAt(time_s: number): Cloud | null {
+    if (this.#source.value === "volume") return this.model.volume.last()?.value ?? null;
+    return (this.model.cloud.at(time_s) ?? this.model.cloud.first())?.value ?? null;
+  }
+
+  /** Shows the points of the scans up to a time; all if none of them is known. */
+  #showUpTo(time_s: number): void {
+    if (!this.#cloud || !this.#points) return;
+    const past = [...this.model.scans.values()].filter((scan) => scan.time_s <= time_s).map((scan) => scan.number);
+    const isComplete = past.length === this.model.scans.size || this.#source.value === "cloud";
+    const count = isComplete ? this.#cloud.count : countUpTo(this.#cloud, Math.max(0, ...past));
+    if (count === this.#count) return;
+    this.#count = count;
+    this.#setRange();
+  }
+
+  #setMoving(isMoving: boolean): void {
+    this.#isMoving = isMoving;
+    this.#setRange();
+  }
+
+  #setRange(): void {
+    const geometry = this.#points?.geometry;
+    if (!geometry) return;
+    const stride = this.#isMoving ? Math.ceil(this.#count / kMovingPoints) : 1;
+    const isThinned = stride > 1;
+    if (isThinned) geometry.setIndex(new THREE.BufferAttribute(Uint32Array.from({ length: Math.floor(this.#count / stride) }, (_, i) => i * stride), 1));
+    else geometry.setIndex(null);
+    geometry.setDrawRange(0, isThinned ? Math.floor(this.#count / stride) : this.#count);
+    this.#dirty = true;
+  }
+
+  #showStatus(isClipped: boolean): void {
+    const now_ms = performance.now();
+    this.#frames_ms = [...this.#frames_ms.filter((t) => now_ms - t < 1000), now_ms];
     const [a, b] = this.#picked;
-    const place = a ? ` · ${a.x.toFixed(2)}, ${a.y.toFixed(2)}, ${a.z.toFixed(2)} m` : "";
-    const distance = a && b ? ` · distance ${fixed(a.distanceTo(b), 2, "m")}` : "";
-    this.#status.textContent = `${this.#cloud?.count ?? 0} points · ${this.#frames.length} frames/s${Number.isFinite(top) ? ` · below ${top.toFixed(2)} m` : ""}${place}${distance}`;
+    const parts = [`${this.#count} points`, `${this.#frames_ms.length} frames/s`];
+    if (isClipped) parts.push(`below ${this.#clip.constant.toFixed(2)} m`);
+    if (a) parts.push(`${a.x.toFixed(2)} E, ${a.y.toFixed(2)} N, height ${a.z.toFixed(2)} m`);
+    if (a && b) parts.push(`distance ${fixed(a.distanceTo(b), 2, "m")}`);
+    setText(this.#status, parts.join(" · "));
   }
 
   /** Lowest and highest z, metres. */
@@ -107,53 +140,49 @@ export class VolumeView {
   }
 
   #load(cloud: Cloud | null, key: string): void {
-    this.#cloud = cloud;
+    this.#received = cloud;
+    this.#cloud = cloud && sortedByScan(cloud);
     this.#key = key;
     this.#dirty = true;
     this.#scene.background = new THREE.Color(colour("page"));
-    if (this.#points) {
-      this.#scene.remove(this.#points);
-      this.#points.geometry.dispose();
-      this.#points.material.dispose();
-      this.#points = null;
-    }
-    if (!cloud || cloud.count === 0) return;
+    this.#unload();
+    if (!this.#cloud || this.#cloud.count === 0) return;
+    const by = this.#colouring.value as Colouring;
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(cloud.xyz, 3));
+    geometry.setAttribute("position", new THREE.BufferAttribute(this.#cloud.xyz, 3));
     geometry.computeBoundingBox();
     const box = geometry.boundingBox!;
-    geometry.setAttribute("color", new THREE.BufferAttribute(coloursOf(cloud, this.#colouring.value as Colouring, box.min.z, box.max.z), 3));
-    const material = new THREE.PointsMaterial({ size: 2, sizeAttenuation: false, vertexColors: true, clippingPlanes: [this.#clip] });
-    this.#points = new THREE.Points(geometry, material);
+    geometry.setAttribute("color", new THREE.BufferAttribute(coloursOf(this.#cloud, by, box.min.z, box.max.z), 3));
+    setText(this.#legend, legendOf(by, box.min.z, box.max.z));
+    this.#points = new THREE.Points(geometry, new THREE.PointsMaterial({ size: 2, sizeAttenuation: false, vertexColors: true, clippingPlanes: [this.#clip] }));
     this.#scene.add(this.#points);
-    if (this.#fitted || !this.#controls) return;
-    this.#fitted = true;
-    const centre = box.getCenter(new THREE.Vector3());
-    const size = box.getSize(new THREE.Vector3()).length();
-    this.#controls.target.copy(centre);
-    this.#camera.position.set(centre.x - 0.2 * size, centre.y - 0.5 * size, centre.z + 0.45 * size);
-    this.#controls.update();
+    if (!this.#isFitted) this.#fit(box);
   }
 
+  #unload(): void {
+    this.#count = 0;
+    if (!this.#points) return;
+    this.#scene.remove(this.#points);
+    this.#points.geometry.dispose();
+    this.#points.material.dispose();
+    this.#points = null;
+  }
+
+  #fit(box: THREE.Box3): void {
+    this.#isFitted = true;
+    const centre = box.getCenter(new THREE.Vector3());
+    const size_m = box.getSize(new THREE.Vector3()).length();
+    this.#controls!.target.copy(centre);
+    this.#camera.position.set(centre.x - 0.15 * size_m, centre.y - 0.5 * size_m, centre.z + 0.45 * size_m);
+    this.#controls!.update();
+  }
+
+  /** A third point begins another line. */
   #pick(px: number, py: number): void {
-    const cloud = this.#cloud;
-    if (!cloud) return;
-    const { clientWidth: w, clientHeight: h } = this.host;
-    const point = new THREE.Vector3();
-    let best: THREE.Vector3 | null = null;
-    let bestCost = Infinity;
-    for (let i = 0; i < cloud.count; ++i) {
-      const z = cloud.xyz[3 * i + 2]!;
-      if (z > this.#clip.constant) continue;
-      point.set(cloud.xyz[3 * i]!, cloud.xyz[3 * i + 1]!, z).project(this.#camera);
-      if (point.z > 1) continue;
-      const distance = Math.hypot((point.x + 1) * w / 2 - px, (1 - point.y) * h / 2 - py);
-      const cost = distance + 1e3 * point.z;  // of those below the pointer, the nearest to the eye
-      if (distance > kPick_px || cost >= bestCost) continue;
-      bestCost = cost;
-      best = new THREE.Vector3(cloud.xyz[3 * i]!, cloud.xyz[3 * i + 1]!, z);
-    }
-    this.#picked = best ? [...(this.#picked.length >= 2 ? [] : this.#picked), best] : [];
+    if (!this.#cloud) return;
+    const size = { width: this.host.clientWidth, height: this.host.clientHeight };
+    const found = pick(this.#cloud, this.#count, this.#clip.constant, this.#camera, size, px, py);
+    this.#picked = found ? [...(this.#picked.length >= 2 ? [] : this.#picked), found] : [];
     this.#line.geometry.dispose();
     this.#line.geometry = new THREE.BufferGeometry().setFromPoints(this.#picked.length === 2 ? this.#picked : []);
     this.#dirty = true;

@@ -49,6 +49,8 @@ export function robotAt(t: number): { x: number; y: number; heading: number } {
   return t <= 100 ? { x: t, y: 0, heading: 0 } : { x: 200 - t, y: 0, heading: Math.PI };
 }
 const yaw = (a: number) => ({ x: 0, y: 0, z: Math.sin(a / 2), w: Math.cos(a / 2) });
+/** Timber posts of 0.2 m beside the axis, each 2 m from x = 40 m to 50 m. */
+export const isPost = (x: number, y: number) => x > 39.95 && x < 50.15 && ((x + 0.05) % 2) < 0.2 && y > 0.8 && y < 1.0;
 const isFree = (x: number, y: number) => (x > 0 && x < 110 && Math.abs(y) < kTunnelWidth_m / 2) || (Math.abs(x - 60) < kDriftWidth_m / 2 && y >= 0 && y < 42);
 
 function grid(t: number): object {
@@ -57,7 +59,7 @@ function grid(t: number): object {
   for (let row = 0, at = 0; row < kRows; ++row) {
     for (let column = 0; column < kColumns; ++column, at += 6) {
       const x = kOrigin.x + (column + 0.5) * kCell_m, y = kOrigin.y + (row + 0.5) * kCell_m;
-      const free = isFree(x, y);
+      const free = isFree(x, y) && !isPost(x, y);
       const edge = 0.3;
       const wall = !free && (isFree(x + edge, y) || isFree(x - edge, y) || isFree(x, y + edge) || isFree(x, y - edge));
       const known = (free || wall) && x < reach && !(y > 30) && (y < 3 || reach > 62);
@@ -122,8 +124,8 @@ function ellipses(t: number): object {
 
 const phaseAt = (t: number) => (t < 4 ? "waiting" : t >= 199 ? "ended" : t % 20 < 3 ? "scan" : t % 20 < 5 ? "plan" : "execute");
 
-/** The messages of the second t of the mission. */
-export function messagesAt(t: number): Message[] {
+/** The messages of the second t of the mission; the volume has `volumePoints` points. */
+export function messagesAt(t: number, volumePoints = 30_000): Message[] {
   const time_s = kStart_s + t;
   const robot = robotAt(t);
   const position = { x: robot.x, y: robot.y, z: 0 };
@@ -151,7 +153,7 @@ export function messagesAt(t: number): Message[] {
   if (t === 20 || t === 0) out.push(message("/hazards", time_s, t === 0 ? { entities: [] } : hazards()));
   if (t % 20 === 0) {
     const number = t / 20 + 1;
-    out.push(message("/cloud", time_s, cloud(3000, Math.max(0, robot.x - 10), robot.x + 10)), message("/volume", time_s, cloud(30000, 0, Math.max(10, Math.min(100, t)))),
+    out.push(message("/cloud", time_s, cloud(3000, Math.max(0, robot.x - 10), robot.x + 10)), message("/volume", time_s, cloud(volumePoints, 0, Math.max(10, Math.min(100, t)))),
       message("/scans", time_s, { number, id: number, time_s, x: robot.x, y: robot.y, z: 0, heading_rad: robot.heading, laser: "laser_front", points: 3000, complete: true,
         plans: [{ outcome: "path", reason: "clear", reached_m: 8, length_m: 8.4, clearance_m: 0.7 }],
         pictures: { terrain: "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==" } }));

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Serves the built page and plays the synthetic mission by npm's FoxgloveServer. */
 import { FoxgloveServer } from "@foxglove/ws-protocol";
-import { readFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
-import { fileURLToPath } from "node:url";
 import { WebSocketServer, type WebSocket } from "ws";
 import { channels, kStart_s, messagesAt, type Message } from "./mine";
+import { builtPage } from "./page";
 
 export const kToken = "synthetic";
 
@@ -35,7 +34,7 @@ export class SyntheticServer {
     });
     this.#http = createServer((request, response) => {
       if (!request.url?.startsWith("/?") && request.url !== "/") { response.writeHead(404).end(); return; }
-      response.writeHead(200, { "content-type": "text/html" }).end(readFileSync(fileURLToPath(new URL("../../dist/page.html", import.meta.url))));
+      response.writeHead(200, { "content-type": "text/html" }).end(builtPage());
     });
     const sockets = new WebSocketServer({ server: this.#http, handleProtocols: (protocols) => this.#server.handleProtocols(protocols) });
     sockets.on("connection", (socket) => {

@@ -7,6 +7,8 @@ import { widthAt } from "../../src/map/width";
 import { decodePlaybackState, encodePlaybackRequest } from "../../src/protocol/playback";
 import { readRecords } from "../../src/protocol/embedded";
 import { Chainage } from "../../src/state/chainage";
+import { coverageAreas } from "../../src/state/grid";
+import { countUpTo, sortedByScan } from "../../src/state/cloud";
 import { Model } from "../../src/state/model";
 import { Series } from "../../src/state/series";
 import { Timeline } from "../../src/state/timeline";
@@ -46,9 +48,21 @@ describe("width", () => {
     for (const y of [0.04, -1.3, 1.7]) expect(widthAt(grid, 30, y)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
     expect(widthAt(grid, 60.3, 20)!.width_m).toBeCloseTo(kDriftWidth_m, 2);
   });
+  it("is that between the walls where posts stand in the tunnel", () => {
+    for (const x of [42.05, 44.3, 45, 46.05, 48.1]) expect(widthAt(grid, x, 0)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
+    expect(widthAt(grid, 44.1, 1.3)!.width_m).toBeCloseTo(kTunnelWidth_m, 2);
+  });
   it("is none in walls and unknown ground", () => {
     expect(widthAt(grid, 30, 2.15)).toBeNull();
     expect(widthAt(grid, 30, 20)).toBeNull();
+  });
+});
+
+describe("coverage", () => {
+  it("is the area of the ground that is not wall", () => {
+    const areas_m2 = coverageAreas(model.map.at(kEnd_s)!.value);
+    expect(areas_m2[3]).toBeCloseTo(98, 0);  // 1 m wide, until 12 m before the end of the map at 110 m
+    expect(areas_m2[1]).toBeCloseTo(20 * kDriftWidth_m, 0);  // of the drift from y = 10 m to 30 m
   });
 });
 
@@ -61,6 +75,15 @@ describe("chainage", () => {
   });
   it("finds the nearest point", () => {
     expect(line.nearest(11, 3)).toEqual({ distance_m: 13, offset_m: 1 });
+  });
+});
+
+describe("cloud", () => {
+  const cloud = { count: 4, received: 4, xyz: Float32Array.from([3, 0, 0, 1, 0, 0, 2, 0, 0, 1.5, 0, 0]), scan: Uint16Array.from([3, 1, 2, 1]), clearance: Uint8Array.from([30, 10, 20, 15]) };
+  it("is put in the order of its scans", () => {
+    const sorted = sortedByScan(cloud);
+    expect([[...sorted.scan!], [...sorted.clearance!], sorted.xyz[3]]).toEqual([[1, 1, 2, 3], [10, 15, 20, 30], 1.5]);
+    expect([0, 1, 2, 9].map((scan) => countUpTo(sorted, scan))).toEqual([0, 2, 3, 4]);
   });
 });
 
@@ -103,6 +126,12 @@ describe("map", () => {
   it("places no label on another", () => {
     const labels = new Labels();
     expect([labels.take(0, 0, 10, 10), labels.take(5, 5, 10, 10), labels.take(10, 0, 10, 10)]).toEqual([true, false, true]);
+  });
+  it("places a text on another side of its symbol where the first is taken", () => {
+    const labels = new Labels();
+    labels.block(-5, -5, 10, 10);
+    expect(labels.beside(0, 0, 40, 14, 8)).toEqual({ x: 8, y: -7 });
+    expect(labels.beside(0, 0, 40, 14, 8)).toEqual({ x: -48, y: -7 });
   });
   it("steps in 1, 2, 5", () => { expect([roundStep(7), roundStep(0.3), roundStep(13)]).toEqual([5, 0.2, 10]); });
 });

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/loop_consensus.hpp"
+#include "procs/mapping/association/finished_graph/loop_consensus.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 
 #include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/support/graphs/generated_graph.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
 

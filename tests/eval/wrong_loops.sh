@@ -23,7 +23,7 @@ row() {  # GRAPH COUNT KIND METHOD [SEED]
   ) || status=$?
   ((status == 128 + 24)) || return "$status"  # SIGXCPU
   [[ $3 != groups ]] || kind='in groups'
-  echo "| $1 | $2, $kind | $4 | – | – | – | – | > $limit | – |"
+  echo "| $1 | $2, $kind | $4 | – | – | – | – | > $limit | – | |"
 }
 
 heading() { "$programs/wrong_loops_table" --graphs intel --counts 0 --only none; }

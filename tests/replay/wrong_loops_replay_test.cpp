@@ -9,7 +9,7 @@
 #include "common/pose_graph/certified_optimum.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/pose_graph/optimize.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/support/graphs/labelled_graph.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/support/recordings.hpp"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/pose_graph/normal_equations.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 
 namespace adit {
 

@@ -15,6 +15,9 @@ constexpr std::size_t kReadingsStored = 2000;
 constexpr std::size_t kReadingsMax =
     100'000;                         // while no scan comes: a quarter of an hour at 100 Hz
 constexpr double kShortestS = 0.01;  // shorter steps are not more accurate
+constexpr double kLongS = 1.0;       // without a scan
+constexpr double kTurnSigmas = 3.9;  // of the gyro over a long step: a normal distribution, 0.9999
+constexpr double kTurnErrorRad = 0.2;  // in addition: times, and turns about other axes
 
 /// Those since `from_utime`, the last scan, are kept however long ago it was.
 template <class Reading>
@@ -51,7 +54,9 @@ void MotionPrediction::shift_time(std::int64_t shift_us) {
 
 bool MotionEstimate::possible(const Pose2& T_odom_body) const {
   const Pose2 step = between(T_odom_last, T_odom_body);
-  return step.translation().norm() <= displacement_max_m && std::abs(step.theta) <= turn_max_rad;
+  const double turn_error = std::abs(between(prior.T_odom_body, T_odom_body).theta);
+  return step.translation().norm() <= displacement_max_m && std::abs(step.theta) <= turn_max_rad &&
+         turn_error <= turn_error_max_rad;
 }
 
 std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_t to) const {
@@ -131,6 +136,9 @@ void MotionPrediction::apply_gyro(std::int64_t utime, MotionEstimate& estimate) 
   estimate.prior.T_odom_body.theta = wrap_angle(T_odom_body_.theta + *turn);
   estimate.prior.information(2, 2) = 1.0 / (sd * sd);
   estimate.from_gyro = true;
+  if (seconds(utime - *utime_) > kLongS) {
+    estimate.turn_error_max_rad = kTurnErrorRad + kTurnSigmas * sd;
+  }
   const double turned_max =
       params_.stationary_turn_max_rad_s * std::max(seconds(utime - *utime_), 0.1);
   estimate.stationary = estimate.stationary && std::abs(*turn) <= turned_max;

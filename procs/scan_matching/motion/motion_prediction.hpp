@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "common/config/bounds.hpp"
@@ -67,10 +68,12 @@ struct MotionEstimate {
   Pose2 T_odom_last;
   double displacement_max_m = 0.0;  ///< maximum displacement since,
   double turn_max_rad = 0.0;        ///< and maximum turn
-  bool speed_known = false;         ///< the last speed was measured
-  double unmeasured_s = 0.0;        ///< time since, if no wheels measure the step
-  double unmeasured_m = 0.0;        ///< displacement that is possible in this time,
-  double unmeasured_rad = 0.0;      ///< and turn, if no gyro measures it
+  /// From the turn by the gyro, where that alone measured it for long: a gyro does not slip.
+  double turn_error_max_rad = std::numeric_limits<double>::infinity();
+  bool speed_known = false;     ///< the last speed was measured
+  double unmeasured_s = 0.0;    ///< time since, if no wheels measure the step
+  double unmeasured_m = 0.0;    ///< displacement that is possible in this time,
+  double unmeasured_rad = 0.0;  ///< and turn, if no gyro measures it
 
   /// Whether the body can have reached the pose by now. Rejects matches that jump.
   [[nodiscard]] bool possible(const Pose2& T_odom_body) const;

@@ -15,7 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/pose_graph/optimize.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/eval/mapping/robust_kernels.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/support/graphs/labelled_graph.hpp"

@@ -15,7 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/eval/mapping/robust_kernels.hpp"
 #include "tests/support/graphs/generated_graph.hpp"
 
@@ -103,6 +103,7 @@ int main(int argc, char** argv) try {
   int poses = 0;
   int right = 0;
   double wrong_share = -1.0;
+  bool lose_heading = false;
   app.add_option("--first", first, "First seed")->capture_default_str();
   app.add_option("--count", count, "Number of seeds")->capture_default_str();
   app.add_option("--step", step, "Difference of seeds")->capture_default_str();
@@ -110,6 +111,7 @@ int main(int argc, char** argv) try {
   app.add_option("--poses", poses, "Number of poses (default: drawn)");
   app.add_option("--right", right, "Number of right loop closures (default: drawn)");
   app.add_option("--wrong-share", wrong_share, "Share of wrong loop closures (default: drawn)");
+  app.add_flag("--lose-heading", lose_heading, "With an odometry that errs by 0.2 rad per metre");
   CLI11_PARSE(app, argc, argv);
   std::cout << "seed,world,wrong loops,poses,right,wrong,drift,method,right accepted,"
                "wrong accepted,RMSE (m),CPU (s),doubtful"
@@ -119,7 +121,8 @@ int main(int argc, char** argv) try {
     if (poses > 0) scenario.poses = poses;
     if (right > 0) scenario.right = right;
     if (wrong_share >= 0.0) scenario.wrong_share = wrong_share;
-    const adit::test::LabelledGraph labelled = adit::test::generated_graph(scenario);
+    adit::test::LabelledGraph labelled = adit::test::generated_graph(scenario);
+    if (lose_heading) adit::test::lose_heading(labelled, scenario.seed);
     for (const adit::Method& method : adit::methods()) {
       if (std::find(only.begin(), only.end(), method.name) == only.end()) continue;
       adit::print_row(scenario, labelled, method);

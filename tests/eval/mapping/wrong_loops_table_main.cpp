@@ -18,7 +18,7 @@
 #include "common/pose_graph/certified_optimum.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/pose_graph/optimize.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/eval/mapping/robust_kernels.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
@@ -28,30 +28,47 @@
 namespace adit {
 namespace {
 
-/// Whether each constraint of a graph is accepted.
-using LoopSelection = std::function<std::vector<bool>(const PoseGraph&)>;
+/// Which constraints are accepted, and whether the method says that it may be wrong.
+struct Selection {
+  std::vector<bool> accepted;
+  bool is_doubtful = false;
+};
 
 struct Method {
   const char* name;
-  LoopSelection accept;
+  std::function<Selection(const PoseGraph&)> select;
 };
 
-std::vector<bool> accept_all(const PoseGraph& graph) {
-  return std::vector<bool>(graph.constraints.size(), true);
+Selection accept_all(const PoseGraph& graph) {
+  return {std::vector<bool>(graph.constraints.size(), true), false};
+}
+
+Selection select_lazily(const PoseGraph& graph, bool best_first) {
+  LazyAssociationParams params;
+  params.best_first = best_first;
+  const LazyLoopClosuresResult result = associate_loops_lazily(graph, params);
+  PoseGraph optimized = graph;
+  const double objective = optimize_accepted(optimized, result).objective;
+  return {result.accepted, !result.doubts.empty() || doubt_of_misfit(result, objective)};
 }
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> all = {
       {"least squares", accept_all},
-      {"Huber", accepted_by_huber},
-      {"DCS", accepted_by_dcs},
-      {"GNC", accepted_by_gnc},
-      {"lazy", [](const PoseGraph& graph) { return associate_loops_lazily(graph, {}).accepted; }},
-      {"lazy, paper's order", [](const PoseGraph& graph) {
-         LazyAssociationParams params;
-         params.best_first = false;
-         return associate_loops_lazily(graph, params).accepted;
-       }}};
+      {"Huber",
+       [](const PoseGraph& graph) {
+         return Selection{accepted_by_huber(graph), false};
+       }},
+      {"DCS",
+       [](const PoseGraph& graph) {
+         return Selection{accepted_by_dcs(graph), false};
+       }},
+      {"GNC",
+       [](const PoseGraph& graph) {
+         return Selection{accepted_by_gnc(graph), false};
+       }},
+      {"lazy", [](const PoseGraph& graph) { return select_lazily(graph, true); }},
+      {"lazy, paper's order", [](const PoseGraph& graph) { return select_lazily(graph, false); }}};
   return all;
 }
 
@@ -112,7 +129,7 @@ void print_row(const Trial& trial, const Method& method) {
   graph.constraints.insert(graph.constraints.end(), trial.wrong.begin(), trial.wrong.end());
   chain_odometry(graph);  // initial guess of all methods
   const double begin_s = cpu_s();
-  const std::vector<bool> accepted = method.accept(graph);
+  const auto [accepted, is_doubtful] = method.select(graph);
   const double selected_s = cpu_s();
   const Count count = count_loops(trial, accepted);
   PoseGraph optimized = accepted_graph(graph, accepted);
@@ -120,12 +137,12 @@ void print_row(const Trial& trial, const Method& method) {
   const double optimized_s = cpu_s();
   const bool certifies = count.wrong_accepted == 0 && has_implausible_residual(optimized);
   if (certifies) objective = certify(optimized).objective;
-  std::printf("| %s | %zu, %s | %s | %.4f | %.4f | %.7g | %.3f | %.2f | %.2f |\n",
+  std::printf("| %s | %zu, %s | %s | %.4f | %.4f | %.7g | %.3f | %.2f | %.2f | %s |\n",
               trial.graph_name.c_str(), trial.wrong.size(), trial.kind.c_str(), method.name,
               ratio(count.right_accepted, count.right_accepted + count.wrong_accepted),
               ratio(count.right_accepted, count.right), objective,
               rmse_m(optimized.poses, trial.clean.poses), selected_s - begin_s,
-              optimized_s - selected_s);
+              optimized_s - selected_s, is_doubtful ? "yes" : "");
   std::fflush(stdout);
 }
 
@@ -187,7 +204,7 @@ int main(int argc, char** argv) try {
   if (!options.no_head) {
     adit::print_heading(
         "| graph | wrong loops | method | precision | recall | objective | RMSE (m) "
-        "| selection, CPU (s) | optimum, CPU (s) |");
+        "| selection, CPU (s) | optimum, CPU (s) | doubtful |");
   }
   for (const std::string& graph : options.graphs) adit::print_graph(graph, options);
   return 0;

@@ -304,4 +304,21 @@ LabelledGraph generated_graph(const GraphScenario& scenario) {
   return GraphGenerator(scenario).run();
 }
 
+void lose_heading(LabelledGraph& labelled, std::uint32_t seed) {
+  constexpr double kStepM = 0.05;
+  constexpr double kStepRad = 0.2;
+  RandomNumbers random(seed);
+  for (std::size_t k = 0; k < labelled.labels.size(); ++k) {
+    if (labelled.labels[k] != LoopLabel::kNone) continue;
+    PoseConstraint& c = labelled.graph.constraints[k];
+    const Pose2 T_from_to =
+        between(labelled.truth[as_index(c.from)], labelled.truth[as_index(c.to)]);
+    c.T_from_to = T_from_to * random.error(kStepM, kStepRad);
+    c.information = Eigen::Vector3d(1.0 / (kStepM * kStepM), 1.0 / (kStepM * kStepM),
+                                    1.0 / (kStepRad * kStepRad))
+                        .asDiagonal();
+  }
+  chain_odometry(labelled.graph);
+}
+
 }  // namespace adit::test

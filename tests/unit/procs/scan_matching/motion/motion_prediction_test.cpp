@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_matching/motion/motion_prediction.hpp"
 
+#include <cstdint>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 namespace adit {
@@ -100,6 +103,20 @@ TEST(MotionPrediction, IntegratesTheGyroOverTheStep) {
   EXPECT_NEAR(expected.prior.T_odom_body.theta, 1.3, 1e-9);
   EXPECT_GT(expected.prior.information(2, 2), 0.0);
   EXPECT_EQ(expected.prior.information(0, 0), 0.0);
+}
+
+/// A straight tunnel looks the same in the opposite direction, which a wide prior admits.
+TEST(MotionPrediction, RulesOutTheOppositeHeadingByTheGyroAfterALongTimeWithoutAScan) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {}, true);
+  for (int i = 0; i <= 500; ++i) motion.add(turning(0.1 * i, 0.01));
+  const auto expected = motion.predict(kStart + 50 * kSecond);  // the turn is 0.5 ± 0.5 rad
+  EXPECT_TRUE(expected.possible({20.0, 0.0, 0.5}));
+  EXPECT_TRUE(expected.possible({20.0, 0.0, 2.0}));
+  EXPECT_FALSE(expected.possible({20.0, 0.0, 0.5 + std::numbers::pi}));
+  EXPECT_FALSE(expected.possible({20.0, 0.0, 0.5 - 2.5}));
+  // Over a short step a match corrects the heading by as much as is needed.
+  EXPECT_TRUE(motion.predict(kStart + kSecond / 2).possible({0.0, 0.0, 0.6}));
 }
 
 TEST(MotionPrediction, IgnoresTheGyroAcrossAGap) {

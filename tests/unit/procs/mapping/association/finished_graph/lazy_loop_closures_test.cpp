@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "procs/mapping/association/finished_graph/loop_order.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
-#include "procs/mapping/association/loop_order.hpp"
 
 namespace adit {
 

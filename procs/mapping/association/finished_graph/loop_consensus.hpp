@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/graph_odometry.hpp"
+#include "procs/mapping/association/finished_graph/graph_odometry.hpp"
 
 namespace adit {
 

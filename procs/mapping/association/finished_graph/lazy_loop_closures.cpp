@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/graph_odometry.hpp"
-#include "procs/mapping/association/loop_consensus.hpp"
-#include "procs/mapping/association/loop_queue.hpp"
+#include "procs/mapping/association/finished_graph/graph_odometry.hpp"
+#include "procs/mapping/association/finished_graph/loop_consensus.hpp"
+#include "procs/mapping/association/finished_graph/loop_queue.hpp"
 
 namespace adit {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/loop_consensus.hpp"
+#include "procs/mapping/association/finished_graph/loop_consensus.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -17,7 +15,7 @@
 
 #include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 #include "tests/support/graphs/generated_graph.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
 
@@ -35,44 +33,15 @@ using testing::Not;
 
 double fit_gate() { return LazyAssociationParams{}.gate; }
 
-/// Computed from the integers of the generator because the distributions of the standard library
-/// differ between implementations.
-class NormalNumbers {
- public:
-  explicit NormalNumbers(std::uint32_t seed) : rng_(seed) {}
-  double next() {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-
- private:
-  double uniform() { return (static_cast<double>(rng_()) + 0.5) / 4294967296.0; }
-
-  std::mt19937 rng_;
-};
-
 Eigen::Matrix3d information_of(double m, double rad) {
   return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
 }
 
-/// 500 poses and 500 right loops; each metre of the odometry has an error of 0.05 m and 0.2 rad, in
-/// all 4.5 rad.
+/// 500 poses and 500 right loops; the odometry has an error of 4.5 rad in all.
 LabelledGraph graph_without_heading(GraphWorld world, std::uint32_t seed, WrongLoops wrong = {},
                                     double wrong_share = 0.0) {
-  constexpr double kStepM = 0.05;
-  constexpr double kStepRad = 0.2;
   LabelledGraph labelled = test::generated_graph({world, 500, 500, 0.05, wrong, wrong_share, seed});
-  NormalNumbers numbers(seed);
-  const auto truth = [&](int node) { return labelled.truth[static_cast<std::size_t>(node)]; };
-  for (std::size_t k = 0; k < labelled.labels.size(); ++k) {
-    if (labelled.labels[k] != LoopLabel::kNone) continue;
-    PoseConstraint& c = labelled.graph.constraints[k];
-    const double x = kStepM * numbers.next();
-    const double y = kStepM * numbers.next();
-    c.T_from_to = between(truth(c.from), truth(c.to)) * Pose2{x, y, kStepRad * numbers.next()};
-    c.information = information_of(kStepM, kStepRad);
-  }
-  chain_odometry(labelled.graph);
+  test::lose_heading(labelled, seed);
   return labelled;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/graph_odometry.hpp"
+#include "procs/mapping/association/finished_graph/graph_odometry.hpp"
 
 #include <algorithm>
 #include <array>

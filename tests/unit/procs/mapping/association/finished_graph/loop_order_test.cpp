@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/loop_order.hpp"
+#include "procs/mapping/association/finished_graph/loop_order.hpp"
 
 #include <vector>
 

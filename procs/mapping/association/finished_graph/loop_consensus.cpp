@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mapping/association/loop_consensus.hpp"
+#include "procs/mapping/association/finished_graph/loop_consensus.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +24,8 @@ constexpr int kNeighbourPoses = 10;     // apart along the odometry, at both end
 constexpr double kChiSquare99 = 11.34;  // three degrees of freedom
 constexpr double kChanceOfFitMax = 0.01;
 constexpr int kRoundsMax = 30;
+constexpr int kSteps = 10;           // of the optimisation of a selection that is not yet settled
+constexpr double kTolerance = 1e-3;  // of the same
 constexpr int kRoundsUnsettled = 4;  // before groups that contradict each other are recognised
 constexpr double kUnsettledRejectedMax = 0.15;  // of the supported loops
 constexpr double kSupportedRejectedMax = 0.05;
@@ -141,8 +143,8 @@ class ConsensusSearch {
     }
     OptimizeParams params;
     params.rotation_initialization = from_scratch;
-    params.tolerance = 1e-6;
-    if (!from_scratch) params.iterations_max = 30;  // another selection follows
+    params.tolerance = kTolerance;
+    params.iterations_max = kSteps;
     optimize(map_, params);
   }
 

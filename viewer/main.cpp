@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
@@ -14,6 +16,7 @@
 #include "common/command_line/command_line.hpp"
 #include "common/config/config.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/service/service_manager.hpp"
 #include "common/text/message_text.hpp"
 #include "viewer/view/live_view.hpp"
 #include "viewer/view/viewer_options.hpp"
@@ -47,17 +50,25 @@ void declare(CLI::App& app, Options& options) {
   app.set_version_flag("--version", fmt::format("{} {}", kProgram, adit::version()));
 }
 
+/// The stages come first: whatever the viewer has to do can wait.
+void lower_priority() {
+  constexpr int kLowPriority = 10;
+  setpriority(PRIO_PROCESS, 0, kLowPriority);  // optional: errors are ignored
+}
+
 void run(const Options& options) {
   adit::ViewerOptions view;
   view.parameters = adit::load_viewer_parameters(options.config);
   view.title = options.title;
   if (options.port >= 0) view.parameters.port = options.port;
+  view.listening_socket = adit::ServiceManager::take_listening_socket();
   if (options.print_config) {
     std::cout << adit::to_yaml(view.parameters, adit::kViewerSection);
     return;
   }
+  lower_priority();
   const adit::StopSignal stop;  // before LCM starts its thread
-  adit::run_live_view(view, options.lcm_url, stop, [&](std::uint16_t port) {
+  adit::run_live_view(view, options.lcm_url, std::nullopt, stop, [&](std::uint16_t port) {
     std::cout << adit::browser_address(view.parameters.address, port) << "\n" << std::flush;
   });
 }

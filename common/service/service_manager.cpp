@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -29,6 +30,18 @@ void ServiceManager::notify(std::string_view state) const {
          reinterpret_cast<const sockaddr*>(&address),
          static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + socket_.size()));
   close(sender);
+}
+
+std::optional<int> ServiceManager::take_listening_socket() {
+  constexpr int kFirstPassed = 3;  // SD_LISTEN_FDS_START
+  const char* const pid = std::getenv("LISTEN_PID");
+  const char* const count = std::getenv("LISTEN_FDS");
+  const bool passed = pid && count && pid == std::to_string(getpid()) && std::atoi(count) > 0;
+  unsetenv("LISTEN_PID");
+  unsetenv("LISTEN_FDS");
+  if (!passed) return std::nullopt;
+  fcntl(kFirstPassed, F_SETFD, FD_CLOEXEC);
+  return kFirstPassed;
 }
 
 bool ServiceManager::expects_watchdog() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,10 @@ class ServiceManager {
 
   /// `state`: "READY=1", "WATCHDOG=1", "STATUS=...", one per line.
   void notify(std::string_view state) const;
+
+  /// The listening socket that systemd or a parent passes to this process (sd_listen_fds(3)); the
+  /// variables that name it are removed, so that no child takes it for its own.
+  [[nodiscard]] static std::optional<int> take_listening_socket();
 
   /// Whether systemd expects "WATCHDOG=1" of this process itself (WATCHDOG_PID), not of its parent.
   [[nodiscard]] static bool expects_watchdog();

@@ -122,4 +122,20 @@ constexpr const char* name_of(MissionOrder::Kind kind) {
   return "";
 }
 
+/// Whether the mission does what was ordered.
+inline bool is_executed(MissionOrder::Kind order, const MissionPhase& phase) {
+  using Kind = MissionOrder::Kind;
+  switch (order) {
+    case Kind::kPause:
+      return phase.phase == Phase::kPaused;
+    case Kind::kResume:
+      return phase.phase != Phase::kPaused;
+    case Kind::kReturnHome:
+      return phase.returning_home;
+    case Kind::kStop:
+      return phase.phase == Phase::kEnded;
+  }
+  return false;
+}
+
 }  // namespace adit

@@ -10,9 +10,11 @@
 #include <fstream>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -37,18 +39,24 @@ constexpr auto kPollPeriod = std::chrono::milliseconds(20);
 constexpr auto kStopMax = std::chrono::seconds(40);  // the simulator waits for the stages
 constexpr std::size_t kOutputBytesMax = 256 * 1024;
 
-/// The folder of this program comes first in PATH, so that its stages are started.
-ChildStart supervisor_start(const fs::path& config) {
+/// What a program of this project needs to run under adit-watch.
+ChildStart child_start(const std::vector<std::string>& arguments) {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  std::string path = folder.string();
-  if (const char* const others = std::getenv("PATH")) path.append(":").append(others);
   ChildStart start;
-  start.line.environment = {{"PATH", path}};
-  start.line.arguments = {(folder / "adit-supervisor").string(), "--sim-time", "--config",
-                          config.string()};
+  start.line.arguments = arguments;
+  start.line.arguments.front() = (folder / arguments.front()).string();
   start.stop_signal = SIGTERM;
   start.stop_time_s = 5.0;
   start.watcher = folder / "adit-watch";
+  return start;
+}
+
+/// The folder of this program comes first in PATH, so that its stages are started.
+ChildStart supervisor_start(const fs::path& config) {
+  ChildStart start = child_start({"adit-supervisor", "--sim-time", "--config", config.string()});
+  std::string path = start.watcher.parent_path().string();
+  if (const char* const others = std::getenv("PATH")) path.append(":").append(others);
+  start.line.environment = {{"PATH", path}};
   return start;
 }
 
@@ -89,6 +97,43 @@ void SupervisorProgram::stop() {
     std::this_thread::sleep_for(kPollPeriod);
 }
 
+/// The process of adit-viewer, which serves the mission on a socket of another network. It is
+/// started again if it ends, a few times.
+class ViewerProgram {
+ public:
+  ViewerProgram(int socket, std::string title, const fs::path& log)
+      : socket_(socket), title_(std::move(title)), log_(log, std::ios::app) {}
+
+  /// Starts it if it does not run. Returns why it does not any more, once.
+  std::optional<std::string> keep_running() try {
+    if (child_) {
+      log_ << child_->read_output(kOutputBytesMax) << std::flush;
+      const auto end = child_->poll();
+      if (!end) return std::nullopt;
+      child_.reset();
+      if (starts_ == kStartsMax) return "adit-viewer " + end->text() + "; see viewer.log";
+    }
+    if (starts_ == kStartsMax) return std::nullopt;
+    ++starts_;
+    ChildStart start = child_start({"adit-viewer", "--title", title_});
+    start.listening_socket = socket_;
+    child_.emplace(start);
+    return std::nullopt;
+  } catch (const std::runtime_error& error) {
+    starts_ = kStartsMax;
+    return fmt::format("no live view: adit-viewer {}", error.what());
+  }
+
+ private:
+  static constexpr int kStartsMax = 5;
+
+  int socket_;
+  std::string title_;
+  std::ofstream log_;
+  std::optional<ChildProcess> child_;
+  int starts_ = 0;
+};
+
 constexpr const char* kPrivateUrl = "udpm://239.255.76.67:7667?ttl=0";
 constexpr std::int64_t kProgressPeriodUs = 500'000;  // of wall time
 constexpr std::int64_t kStallTimeoutUs = 60'000'000;
@@ -125,7 +170,11 @@ class LiveMission {
         notify_(notify),
         bus_({.url = {}, .time = BusTime::kSimulated}),
         monitor_(bus_, folder.path() / "phases.tsv", start),
-        supervisor_("supervisor.yaml", folder.path() / "supervisor.log") {}
+        supervisor_("supervisor.yaml", folder.path() / "supervisor.log") {
+    if (options.view_socket)
+      viewer_.emplace(*options.view_socket, folder.path().filename().string(),
+                      folder.path() / "viewer.log");
+  }
 
   MissionLiveResult run(const StopSignal& stop, const MissionLiveProgress& progress) {
     const std::int64_t begin_us = wall_us();
@@ -137,6 +186,9 @@ class LiveMission {
       result.abort_reason = abort_reason(stop, now_us);
       restart_timed_out_stages(now_us);
       report_record();
+      if (viewer_) {
+        if (const auto failure = viewer_->keep_running()) notify_(*failure);
+      }
       if (now_us < progress_us + kProgressPeriodUs) continue;
       progress_us = now_us;
       if (progress) progress(monitor_.progress(), seconds(now_us - begin_us));
@@ -193,6 +245,7 @@ class LiveMission {
   LcmBus bus_;
   MissionMonitor monitor_;
   SupervisorProgram supervisor_;
+  std::optional<ViewerProgram> viewer_;
   std::string record_stopped_;
   std::int64_t utime_ = 0;
   std::int64_t advanced_us_ = 0;  // wall time

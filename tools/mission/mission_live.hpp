@@ -25,6 +25,8 @@ struct MissionLiveOptions {
   std::vector<std::string> faults;   ///< in the syntax of parse_fault
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
   LogForm log_form = LogForm::kPlain;
+  /// A socket that listens in the network of the user, on which adit-viewer serves the mission.
+  std::optional<int> view_socket = {};
 };
 
 struct MissionLiveResult {

@@ -16,7 +16,7 @@
 #include "tools/map/doubt_list.hpp"
 #include "tools/map/summary.hpp"
 #include "tools/report/mission_map.hpp"
-#include "tools/report/records/event_record.hpp"
+#include "common/records/event_record.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/phase_record.hpp"
 #include "tools/report/records/scan_record.hpp"

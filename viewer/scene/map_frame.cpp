@@ -3,7 +3,6 @@
 #include "viewer/scene/map_frame.hpp"
 
 #include <cstddef>
-#include <utility>
 
 namespace adit {
 
@@ -15,11 +14,6 @@ void MapFrame::set_correction(const MapCorrection& correction) {
 void MapFrame::add_local_map(const LocalMap& map) {
   if (newest_ && map.id < newest_->id) return;  // sent again
   newest_ = {map.id, map.session, {map.T_odom_local, map.z_odom_m}};
-}
-
-void MapFrame::set_graph(MapGraph graph) {
-  graph_ = std::move(graph);
-  for (const Listener& listener : listeners_) listener(graph_.utime);
 }
 
 std::optional<LevelPose> MapFrame::T_map_local(int id) const {

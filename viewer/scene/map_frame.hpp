@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "common/geometry/level_pose.hpp"
 #include "common/pose_graph/map_correction.hpp"
@@ -25,14 +23,9 @@ struct AnchoredPose {
 /// Where odom and the local maps are in map.
 class MapFrame {
  public:
-  using Listener = std::function<void(std::int64_t utime)>;
-
   void set_correction(const MapCorrection& correction);
   void add_local_map(const LocalMap& map);
-  void set_graph(MapGraph graph);
-
-  /// Calls the listener whenever poses of local maps have changed.
-  void on_graph(Listener listener) { listeners_.push_back(std::move(listener)); }
+  void set_graph(MapGraph graph) { graph_ = std::move(graph); }
 
   /// Identity before the first MAP_CORRECTION.
   [[nodiscard]] const LevelPose& T_map_odom() const { return T_map_odom_; }
@@ -56,7 +49,6 @@ class MapFrame {
   std::optional<MapCorrection> correction_;
   std::optional<Newest> newest_;
   MapGraph graph_;
-  std::vector<Listener> listeners_;
 };
 
 }  // namespace adit

@@ -8,6 +8,8 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
 #include "common/messages/sim.hpp"
 
 namespace adit {
@@ -15,6 +17,8 @@ namespace {
 
 constexpr std::size_t kPosesQueued = 200;
 constexpr std::size_t kFragmentsQueued = 1000;
+constexpr std::size_t kPathsQueued = 50;
+constexpr std::size_t kPhasesQueued = 100;
 
 }  // namespace
 
@@ -23,9 +27,25 @@ Scene::Scene(Bus& bus, TopicBoard& board, const SceneParameters& parameters)
       parameters_(parameters),
       robot_(bus, board, frame_, parameters_.lasers),
       map_(board, frame_, path_, parameters_),
-      mission_(bus, board, frame_) {
+      clouds_(board, frame_, parameters_),
+      paths_(board, frame_, path_),
+      graph_(board, frame_),
+      frontiers_(bus, board, frame_),
+      hazards_(bus, board, frame_, robot_, parameters_.vehicle),
+      uncertainty_(board, frame_, path_, robot_),
+      mission_(bus, board, frame_),
+      processes_(bus, board, [this] { return now_utime(); }),
+      events_(bus, board),
+      scans_(bus, board, frame_),
+      history_(board, frame_, robot_, mission_) {
   subscribe_map();
-  subscribe_objects();
+  subscribe_path();
+  subscribe_scans();
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kPhasesQueued),
+                     [this](const MissionPhase& phase) {
+                       path_.set_homeward(phase.returning_home);
+                       events_.add_phase(phase);
+                     });
   subscribe<sim_time_t>(bus, channels::kSimTime, Delivery::latest(),
                         [this](const SimTime& time) { simulated_utime_ = time.utime; });
 }
@@ -37,22 +57,63 @@ void Scene::subscribe_map() {
                    frame_.add_local_map(map);
                    map_.add_local_map(map, robot_.lasers());
                  },
-             .on_graph = [this](MapGraph graph) { frame_.set_graph(std::move(graph)); },
-             .on_association = [](const Association&) {},
+             .on_graph =
+                 [this](MapGraph graph) {
+                   const std::int64_t utime = graph.utime;
+                   frame_.set_graph(std::move(graph));
+                   on_graph(utime);
+                 },
+             .on_association =
+                 [this](const Association& association) {
+                   graph_.add_association(association);
+                   events_.add_association(association);
+                 },
              .on_contradictions = [](const MapContradictions&) {}});
-  frame_.on_graph([this](std::int64_t utime) { map_.set_changed(utime); });
-  subscribe<map_correction_t>(
-      bus_, channels::kMapCorrection, Delivery::latest(),
-      [this](const MapCorrection& correction) { frame_.set_correction(correction); });
+  subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::latest(),
+                              [this](const MapCorrection& correction) {
+                                frame_.set_correction(correction);
+                                uncertainty_.add_correction(correction);
+                              });
 }
 
-void Scene::subscribe_objects() {
+/// All that is anchored to local maps has moved.
+void Scene::on_graph(std::int64_t utime) {
+  map_.set_changed(utime);
+  clouds_.set_changed(utime);
+  paths_.set_changed(utime);
+  graph_.set_changed(utime);
+  hazards_.set_changed(utime);
+  history_.update_poses();
+}
+
+void Scene::subscribe_path() {
   subscribe<pose_t>(bus_, channels::kPose, Delivery::queued(kPosesQueued),
-                    [this](const StampedPose& pose) { path_.add(pose); });
+                    [this](const StampedPose& pose) {
+                      if (path_.add(pose)) paths_.set_changed(pose.utime);
+                      history_.add_pose(pose);
+                    });
+  subscribe<planned_path_t>(bus_, channels::kPath, Delivery::queued(kPathsQueued),
+                            [this](const PlannedPath& path) {
+                              paths_.set_planned(path);
+                              hazards_.add_path(path);
+                            });
+}
+
+void Scene::subscribe_scans() {
+  subscribe<cloud_t>(bus_, channels::kCloud, Delivery::queued(kFragmentsQueued),
+                     [this](const CloudFragment& fragment) {
+                       const auto cloud = cloud_fragments_.add(fragment);
+                       if (!cloud) return;
+                       scan_ = scans_.add_cloud(*cloud);
+                       clouds_.add_cloud(*cloud, scan_);
+                     });
   subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(kFragmentsQueued),
                        [this](const TerrainFragment& fragment) {
-                         if (const auto terrain = terrain_fragments_.add(fragment))
-                           map_.add_terrain(*terrain);
+                         const auto terrain = terrain_fragments_.add(fragment);
+                         if (!terrain) return;
+                         map_.add_terrain(*terrain);
+                         clouds_.add_terrain(*terrain);
+                         hazards_.add_terrain(*terrain, scan_);
                        });
 }
 

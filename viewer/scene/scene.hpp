@@ -9,9 +9,19 @@
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/terrain.hpp"
 #include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/layers/cloud_layer.hpp"
+#include "viewer/scene/layers/event_layer.hpp"
+#include "viewer/scene/layers/frontier_layer.hpp"
+#include "viewer/scene/layers/graph_layer.hpp"
+#include "viewer/scene/layers/hazard_layer.hpp"
+#include "viewer/scene/layers/history_layer.hpp"
 #include "viewer/scene/layers/map_layer.hpp"
 #include "viewer/scene/layers/mission_layer.hpp"
+#include "viewer/scene/layers/path_layer.hpp"
+#include "viewer/scene/layers/process_layer.hpp"
 #include "viewer/scene/layers/robot_layer.hpp"
+#include "viewer/scene/layers/scan_layer.hpp"
+#include "viewer/scene/layers/uncertainty_layer.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/topic_board.hpp"
@@ -33,18 +43,32 @@ class Scene {
 
  private:
   void subscribe_map();
-  void subscribe_objects();
+  void subscribe_path();
+  void subscribe_scans();
+  void on_graph(std::int64_t utime);
 
   Bus& bus_;
   const SceneParameters parameters_;
   std::int64_t simulated_utime_ = 0;
   MapSubscription map_subscription_;
+  CloudReassembler cloud_fragments_;
   TerrainReassembler terrain_fragments_;
+  int scan_ = 0;  ///< number of the newest 3D scan
   MapFrame frame_;
   DrivenPath path_{frame_};
   RobotLayer robot_;
   MapLayer map_;
+  CloudLayer clouds_;
+  PathLayer paths_;
+  GraphLayer graph_;
+  FrontierLayer frontiers_;
+  HazardLayer hazards_;
+  UncertaintyLayer uncertainty_;
   MissionLayer mission_;
+  ProcessLayer processes_;
+  EventLayer events_;
+  ScanLayer scans_;
+  HistoryLayer history_;
 };
 
 }  // namespace adit

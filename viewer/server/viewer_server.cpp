@@ -21,6 +21,8 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include "viewer/server/client_outbox.hpp"
 #include "viewer/server/request_origin.hpp"
@@ -69,6 +71,17 @@ int listen_on(const std::string& address, std::uint16_t port) {
   return acceptor.release();
 }
 
+std::uint16_t port_of(int listening_socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  if (getsockname(listening_socket, reinterpret_cast<sockaddr*>(&address), &size) != 0)
+    throw std::runtime_error("a socket without an address");
+  const auto* const any = reinterpret_cast<const sockaddr*>(&address);
+  return any->sa_family == AF_INET6
+             ? ntohs(reinterpret_cast<const sockaddr_in6*>(&address)->sin6_port)
+             : ntohs(reinterpret_cast<const sockaddr_in*>(&address)->sin_port);
+}
+
 class ViewerServer::Implementation {
  public:
   Implementation(const ViewerServerOptions& options, const foxglove_protocol::ServerInfo& info,
@@ -81,7 +94,7 @@ class ViewerServer::Implementation {
   }
   void publish(TopicId topic, const TopicMessage& message);
   void publish_time(std::int64_t time_ns);
-  void publish_binary(const std::string& bytes);
+  void publish_playback_state(const std::string& bytes);
   [[nodiscard]] bool has_subscriber(TopicId topic) const { return subscribers_.at(topic) > 0; }
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -120,7 +133,8 @@ class ViewerServer::Implementation::Client : public std::enable_shared_from_this
 
   void send(TopicId topic, const TopicMessage& message);
   void send_time(std::int64_t time_ns);
-  void send_binary(const std::string& bytes);
+  /// Nothing to a client of a subprotocol without playback.
+  void send_playback_state(const std::string& bytes);
 
  private:
   void read();
@@ -142,6 +156,7 @@ class ViewerServer::Implementation::Client : public std::enable_shared_from_this
   std::map<std::uint32_t, TopicId> topics_;         ///< by subscription
   std::map<TopicId, std::uint32_t> subscriptions_;  ///< by topic
   bool open_ = false;
+  bool knows_playback_ = false;
 };
 
 ViewerServer::Implementation::Client::~Client() {
@@ -152,6 +167,7 @@ ViewerServer::Implementation::Client::~Client() {
 
 void ViewerServer::Implementation::Client::accept(const http::request<http::empty_body>& request,
                                                   std::string_view subprotocol) {
+  knows_playback_ = subprotocol == foxglove_protocol::kSubprotocols[0];
   beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(websocket::stream_base::timeout{
       .handshake_timeout = kRequestTimeout,
@@ -211,7 +227,8 @@ void ViewerServer::Implementation::Client::send_time(std::int64_t time_ns) {
   write();
 }
 
-void ViewerServer::Implementation::Client::send_binary(const std::string& bytes) {
+void ViewerServer::Implementation::Client::send_playback_state(const std::string& bytes) {
+  if (!knows_playback_) return;
   outbox_.push_binary(bytes);
   write();
 }
@@ -283,7 +300,7 @@ void ViewerServer::Implementation::Client::handle(
   if (!server_.handlers_.on_playback) return warn("playback cannot be controlled");
   foxglove_protocol::PlaybackState state = server_.handlers_.on_playback(request);
   state.request_id = request.request_id;
-  send_binary(foxglove_protocol::playback_state_message(state));
+  send_playback_state(foxglove_protocol::playback_state_message(state));
 }
 
 void ViewerServer::Implementation::Client::handle(const foxglove_protocol::Unsupported& request) {
@@ -428,8 +445,8 @@ void ViewerServer::Implementation::publish_time(std::int64_t time_ns) {
   for (Client* const client : clients_) client->send_time(time_ns);
 }
 
-void ViewerServer::Implementation::publish_binary(const std::string& bytes) {
-  for (Client* const client : clients_) client->send_binary(bytes);
+void ViewerServer::Implementation::publish_playback_state(const std::string& bytes) {
+  for (Client* const client : clients_) client->send_playback_state(bytes);
 }
 
 ViewerServer::ViewerServer(const ViewerServerOptions& options,
@@ -447,7 +464,7 @@ void ViewerServer::publish(TopicId topic, const TopicMessage& message) {
 }
 void ViewerServer::publish_time(std::int64_t time_ns) { implementation_->publish_time(time_ns); }
 void ViewerServer::publish_playback_state(const foxglove_protocol::PlaybackState& state) {
-  implementation_->publish_binary(foxglove_protocol::playback_state_message(state));
+  implementation_->publish_playback_state(foxglove_protocol::playback_state_message(state));
 }
 bool ViewerServer::has_subscriber(TopicId topic) const {
   return implementation_->has_subscriber(topic);

@@ -30,6 +30,9 @@ struct ViewerServerOptions {
 /// Opens a listening TCP socket, not inherited by other programs. Throws std::runtime_error.
 int listen_on(const std::string& address, std::uint16_t port);
 
+/// The port of a listening socket.
+std::uint16_t port_of(int listening_socket);
+
 /// Serves topics over Foxglove's WebSocket protocol, and the page over HTTP, at one port. All work
 /// is done in `poll`, without blocking. No client can delay another one or the caller: each has a
 /// bounded outbox (ClientOutbox), limits of size and time bound what it may send, and one that does
@@ -64,6 +67,7 @@ class ViewerServer {
   /// Queues a message for all subscribers.
   void publish(TopicId topic, const TopicMessage& message);
   void publish_time(std::int64_t time_ns);
+  /// To clients of foxglove.sdk.v1; the older subprotocol has no playback.
   void publish_playback_state(const foxglove_protocol::PlaybackState& state);
 
   [[nodiscard]] bool has_subscriber(TopicId topic) const;

@@ -144,10 +144,14 @@ PseudoTerminal PseudoTerminal::open() {
 
 constexpr int kAboveStandard = 10;  // source descriptors must not collide with the targets of dup2
 
-FileDescriptor moved_above_standard(FileDescriptor descriptor) {
-  FileDescriptor high(fcntl(descriptor.get(), F_DUPFD_CLOEXEC, kAboveStandard));
+FileDescriptor copy_above_standard(int descriptor) {
+  FileDescriptor high(fcntl(descriptor, F_DUPFD_CLOEXEC, kAboveStandard));
   if (!high) throw std::system_error(errno, std::generic_category(), "fcntl");
   return high;
+}
+
+FileDescriptor moved_above_standard(FileDescriptor descriptor) {
+  return copy_above_standard(descriptor.get());
 }
 
 /// Connection to adit-watch. Sockets instead of pipes: a write after the peer has closed returns an
@@ -191,10 +195,16 @@ ChildProcess::ChildProcess(const ChildStart& start) {
   SocketPair reports = make_socket_pair();
   SocketPair signals = make_socket_pair();
   const FileDescriptor child_end = moved_above_standard(std::move(terminal.child_end));
+  std::vector<int> descriptors{child_end.get(), child_end.get(), child_end.get(),
+                               reports.child_end.get(), signals.child_end.get()};
+  FileDescriptor listening_socket;
+  if (start.listening_socket) {
+    listening_socket = copy_above_standard(*start.listening_socket);
+    descriptors.push_back(listening_socket.get());  // kWatchListenDescriptor
+  }
   watcher_ = spawn({arguments_of(start),
                     environment_with(start.line.environment, start.watcher.parent_path().string()),
-                    {child_end.get(), child_end.get(), child_end.get(), reports.child_end.get(),
-                     signals.child_end.get()}});
+                    descriptors});
   fcntl(signals.parent_end.get(), F_SETFL, O_NONBLOCK);
   terminal_ = std::move(terminal.parent_end);
   reports_ = std::move(reports.parent_end);

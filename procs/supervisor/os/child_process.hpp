@@ -19,12 +19,14 @@ struct ChildStart {
   CommandLine line;
   int stop_signal = 0;  ///< for descendants left when the program ends
   double stop_time_s = 0.0;
-  std::filesystem::path watcher;  ///< path of adit-watch; its folder is appended to PATH
+  std::filesystem::path watcher = {};  ///< path of adit-watch; its folder is appended to PATH
+  /// A socket that the program inherits, as by sd_listen_fds(3).
+  std::optional<int> listening_socket = {};
 };
 
 /// A running program with all its descendants, under its own adit-watch (see Watch), which tracks
 /// all descendants and kills them if this process ends. The program has a pseudo terminal for input
-/// and output, its own session, and inherits no other file descriptors.
+/// and output, its own session, and inherits no other file descriptors but a listening socket.
 class ChildProcess {
  public:
   /// How a program ended.

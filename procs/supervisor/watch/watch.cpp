@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
+#include <string>
 #include <system_error>
 
 #include <fcntl.h>
@@ -32,8 +34,17 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void exec_program(char* const* argv, pid_t parent, int report) {
+/// The convention of sd_listen_fds(3).
+void pass_socket(int listening_socket) {
+  constexpr int kFirstPassed = 3;
+  setenv("LISTEN_FDS", "1", 1);
+  setenv("LISTEN_PID", std::to_string(getpid()).c_str(), 1);
+  dup2(listening_socket, kFirstPassed);  // without close-on-exec
+}
+
+[[noreturn]] void exec_program(char* const* argv, pid_t parent, int report, int listening_socket) {
   reset_signals();
+  if (listening_socket >= 0) pass_socket(listening_socket);
   setsid();
   ioctl(STDIN_FILENO, TIOCSCTTY, 0);  // fails without a terminal, which is not an error
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -45,12 +56,12 @@ void reset_signals() {
 
 }  // namespace
 
-ProgramStart start_program(char* const* argv) {
+ProgramStart start_program(char* const* argv, int listening_socket) {
   int report[2];  // closed by exec
   if (pipe2(report, O_CLOEXEC) != 0) return {-1, errno};
   const pid_t parent = getpid();
   const pid_t pid = fork();
-  if (pid == 0) exec_program(argv, parent, report[1]);
+  if (pid == 0) exec_program(argv, parent, report[1], listening_socket);
   ProgramStart start{pid, pid < 0 ? errno : 0};
   close(report[1]);
   int error = 0;
@@ -80,6 +91,12 @@ int open_child_signalfd() {
   return signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
+/// Must be called before this process opens descriptors. −1 without a socket.
+int take_listening_socket() {
+  const bool passed = fcntl(kWatchListenDescriptor, F_SETFD, FD_CLOEXEC) == 0;
+  return passed ? kWatchListenDescriptor : -1;
+}
+
 void set_close_on_exec() {
   fcntl(kWatchReportsDescriptor, F_SETFD, FD_CLOEXEC);
   fcntl(kWatchSignalsDescriptor, F_SETFD, FD_CLOEXEC);
@@ -89,12 +106,13 @@ void set_close_on_exec() {
 }  // namespace
 
 Watch::Watch(const WatchOptions& options) : options_(options) {
+  const int listening_socket = take_listening_socket();
   ignore_signals();
   set_close_on_exec();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   child_signals_ = open_child_signalfd();
   if (child_signals_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");
-  program_ = start_program(options_.argv);
+  program_ = start_program(options_.argv, listening_socket);
   const bool runs = program_.error == 0;
   report(runs ? WatchReport::Kind::kStarted : WatchReport::Kind::kStartFailed,
          runs ? program_.pid : program_.error);

@@ -20,7 +20,8 @@ struct ProgramStart {
 /// Starts a program, searched in PATH, as a child in its own session, with the standard input as
 /// its controlling terminal if it is a terminal. No signals are blocked or ignored. The kernel
 /// kills the child if this process ends (PR_SET_PDEATHSIG). `argv` ends with a null pointer.
-ProgramStart start_program(char* const* argv);
+/// `listening_socket`, unless −1, becomes its descriptor 3, as by sd_listen_fds(3).
+ProgramStart start_program(char* const* argv, int listening_socket = -1);
 
 struct WatchOptions {
   int stop_signal = SIGINT;     ///< for descendants left when the program ends

@@ -21,5 +21,8 @@ struct WatchReport {
 
 inline constexpr int kWatchReportsDescriptor = 3;
 inline constexpr int kWatchSignalsDescriptor = 4;
+/// A listening socket for the program, if it gets one: adit-watch passes it on as systemd does
+/// (sd_listen_fds(3)), as descriptor 3 with LISTEN_FDS and LISTEN_PID.
+inline constexpr int kWatchListenDescriptor = 5;
 
 }  // namespace adit

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,6 +23,8 @@
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/mission_run.hpp"
 #include "tools/report/report.hpp"
+#include "viewer/server/viewer_server.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {
@@ -74,9 +78,13 @@ class MissionProgressPrinter {
 
 constexpr int kExitNotReturned = 1;
 
+constexpr std::uint16_t kViewPort = 8765;
+
 struct MissionOptions {
   MissionLiveOptions mission;
   bool in_process = false;
+  bool no_view = false;
+  int view_port = kViewPort;
 };
 
 constexpr const char* kMissionDetails =
@@ -93,6 +101,7 @@ Outputs in DIR:
   *.yaml, *.cfg     configuration of all processes
 
 During the mission:
+  http://127.0.0.1:8765/                     the live view: map, 3D, plots, processes; see adit view --help
   adit ps --socket DIR/supervisor.sock       list its processes; also adit logs NAME, adit restart NAME
   adit order return --mission DIR            order it to pause, resume, return or stop
   adit spy --mission DIR                     inspect its messages in lcm-spy, and draw the mine there
@@ -158,15 +167,34 @@ void run_in_process(const MissionLiveOptions& mission) {
   require_return(result.last, abort_reason, result.trace_failure);
 }
 
-void run_processes(const MissionLiveOptions& mission) {
+/// Opens the port of the live view in the network of the user, before the mission enters its own.
+/// Another port than a default one that is in use; nothing without a network.
+std::optional<int> open_view(int port, const MissionProgressPrinter& printer) try {
+  constexpr const char* kAddress = "127.0.0.1";
+  std::optional<int> socket;
+  try {
+    socket = listen_on(kAddress, static_cast<std::uint16_t>(port));
+  } catch (const std::runtime_error& error) {
+    printer.print_message(fmt::format("{}; the live view uses another port", error.what()));
+    socket = listen_on(kAddress, 0);
+  }
+  std::cout << fmt::format("live view   {}\n", browser_address(kAddress, port_of(*socket)));
+  return socket;
+} catch (const std::runtime_error& error) {
+  printer.print_message(fmt::format("no live view: {}", error.what()));
+  return std::nullopt;
+}
+
+void run_processes(const MissionOptions& options) {
+  MissionLiveOptions mission = options.mission;
   const std::filesystem::path folder = std::filesystem::absolute(mission.folder);
   MissionProgressPrinter printer;
   if (mission.resume) {
     for (const std::string& report : journal_reports(MissionFolder(folder)))
       printer.print_message(report);
   }
-  std::cout << fmt::format("to see its messages meanwhile: adit spy --mission {}\n",
-                           mission.folder.string())
+  if (!options.no_view) mission.view_socket = open_view(options.view_port, printer);
+  std::cout << fmt::format("messages    adit spy --mission {}\n", mission.folder.string())
             << std::flush;
   const MissionLiveResult result = run_live_mission(
       mission,
@@ -184,7 +212,7 @@ void run(const MissionOptions& options) {
         "either WORLD or --resume, to continue the mission in --out, is required");
   }
   if (options.in_process) return run_in_process(options.mission);
-  run_processes(options.mission);
+  run_processes(options);
 }
 
 void add_options(CLI::App& command, MissionOptions& options) {
@@ -198,6 +226,12 @@ void add_options(CLI::App& command, MissionOptions& options) {
       command.add_flag("--in-process", options.in_process, "Run all stages in this process");
   command.add_flag("--resume", mission.resume, "Continue the mission in the output folder")
       ->excludes(world)
+      ->excludes(in_process);
+  command.add_flag("--no-view", options.no_view, "Run without the live view")->excludes(in_process);
+  command.add_option("--view-port", options.view_port, "Port of the live view; 0: any")
+      ->type_name("N")
+      ->check(number_in(within(0, 65535)))
+      ->capture_default_str()
       ->excludes(in_process);
   command.add_option("--config", mission.config, "YAML file with sections of the stages and sim")
       ->type_name("FILE");

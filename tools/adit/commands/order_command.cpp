@@ -58,21 +58,6 @@ constexpr const char* kOrderExamples =
   adit order resume --key seal.key           a robot with sealed orders
   adit order pause --mission out             the mission of `adit mission mathies --out out`)";
 
-bool is_executed(MissionOrder::Kind order, const MissionPhase& phase) {
-  using Kind = MissionOrder::Kind;
-  switch (order) {
-    case Kind::kPause:
-      return phase.phase == Phase::kPaused;
-    case Kind::kResume:
-      return phase.phase != Phase::kPaused;
-    case Kind::kReturnHome:
-      return phase.returning_home;
-    case Kind::kStop:
-      return phase.phase == Phase::kEnded;
-  }
-  return false;
-}
-
 std::string status_text(const MissionPhase& phase) {
   if (!phase.returning_home) return phase.reason;
   return fmt::format("{} (returning home: {})", phase.reason, phase.return_home_reason);

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/bus/bus.hpp"
@@ -40,6 +42,11 @@ class EventRecord {
   /// `bus` must outlive this.
   explicit EventRecord(Bus& bus);
 
+  /// Calls `handler` with each event as it begins; its end is not known then.
+  void on_begin(std::function<void(const MissionEvent&)> handler) {
+    on_begin_ = std::move(handler);
+  }
+
   /// Must be called at the end of the log. Ends all ongoing events.
   void finish(std::int64_t end_utime);
 
@@ -57,6 +64,7 @@ class EventRecord {
   void on_driving(const DrivingState& state);
   void begin_or_extend(OngoingEvents& ongoing, const MissionEvent& event);
   void end_event(OngoingEvents& ongoing, const std::string& source, std::int64_t utime);
+  void add_instant(const MissionEvent& event);
   void add(const MissionEvent& event);
 
   OngoingEvents stops_;
@@ -64,6 +72,7 @@ class EventRecord {
   OngoingEvents driving_;
   std::map<std::string, Heartbeat> heartbeats_;  ///< the last of each stage
   std::optional<MissionOrder> order_;
+  std::function<void(const MissionEvent&)> on_begin_;
   std::vector<MissionEvent> events_;
   std::size_t dropped_ = 0;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/records/event_record.hpp"
+#include "common/records/event_record.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -43,7 +43,7 @@ void EventRecord::on_stop(const StopOrder& order) {
 /// The sender repeats an order until the mission confirms it.
 void EventRecord::on_order(const MissionOrder& order) {
   if (!order_ || order_->kind != order.kind) {
-    add({Kind::kOrder, order.utime, order.utime, "operator", name_of(order.kind)});
+    add_instant({Kind::kOrder, order.utime, order.utime, "operator", name_of(order.kind)});
   }
   order_ = order;
 }
@@ -54,8 +54,8 @@ void EventRecord::on_heartbeat(const Heartbeat& heartbeat) {
     const std::int64_t since_utime = before->second.utime;
     const bool restarted = heartbeat.handled < before->second.handled;
     if (restarted || heartbeat.utime - since_utime > kStalenessUs) {
-      add({Kind::kRestart, since_utime, heartbeat.utime, heartbeat.stage,
-           restarted ? "restarted" : "no heartbeat"});
+      add_instant({Kind::kRestart, since_utime, heartbeat.utime, heartbeat.stage,
+                   restarted ? "restarted" : "no heartbeat"});
     }
   }
   heartbeats_[heartbeat.stage] = heartbeat;
@@ -92,6 +92,7 @@ void EventRecord::begin_or_extend(OngoingEvents& ongoing, const MissionEvent& ev
   }
   end_event(ongoing, event.source, event.utime);
   ongoing[event.source] = event;
+  if (on_begin_) on_begin_(event);
 }
 
 void EventRecord::end_event(OngoingEvents& ongoing, const std::string& source, std::int64_t utime) {
@@ -100,6 +101,12 @@ void EventRecord::end_event(OngoingEvents& ongoing, const std::string& source, s
   ended->second.to_utime = std::max(ended->second.utime, utime);
   add(ended->second);
   ongoing.erase(ended);
+}
+
+/// An event that does not last.
+void EventRecord::add_instant(const MissionEvent& event) {
+  if (on_begin_) on_begin_(event);
+  add(event);
 }
 
 void EventRecord::add(const MissionEvent& event) {

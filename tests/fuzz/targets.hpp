@@ -25,6 +25,7 @@ struct Target {
 // Groups of targets. Add new groups to `all_targets` in targets.cpp.
 
 std::vector<Target> message_targets();
+Target compressed_log_target();
 Target log_target();
 Target carmen_target();
 Target journal_target();

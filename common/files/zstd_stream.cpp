@@ -25,8 +25,8 @@ bool is_zstd(std::span<const std::uint8_t> bytes) {
 
 std::string zstd_frame(std::string_view content) {
   std::string frame(ZSTD_compressBound(content.size()), '\0');
-  const std::size_t size = ZSTD_compress(frame.data(), frame.size(), content.data(),
-                                         content.size(), ZSTD_CLEVEL_DEFAULT);
+  const std::size_t size = ZSTD_compress(frame.data(), frame.size(), content.data(), content.size(),
+                                         ZSTD_CLEVEL_DEFAULT);
   if (ZSTD_isError(size) != 0) throw std::runtime_error(ZSTD_getErrorName(size));
   frame.resize(size);
   return frame;

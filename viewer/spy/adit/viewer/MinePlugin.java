@@ -37,7 +37,9 @@ public final class MinePlugin implements SpyPlugin {
     private final AtomicLong changes = new AtomicLong();
 
     public MinePlugin() {
-        new SceneSubscriber(scene, changes::incrementAndGet).subscribe(LCM.getSingleton());
+        LCM lcm = LCM.getSingleton();
+        ReceiveBuffer.enlarge(lcm);
+        new SceneSubscriber(scene, changes::incrementAndGet).subscribe(lcm);
     }
 
     @Override

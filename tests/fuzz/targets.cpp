@@ -16,6 +16,7 @@
 
 #include "common/bus/log/lcm_log.hpp"
 #include "common/config/config_file.hpp"
+#include "common/files/zstd_stream.hpp"
 #include "common/journal/journal_recovery.hpp"
 #include "common/process_list/parser.hpp"
 #include "common/volume/volume.hpp"
@@ -91,6 +92,32 @@ std::string_view take_log(std::span<const std::uint8_t> bytes) {
   return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
 }
 
+Bytes sample_compressed_log() {
+  const Bytes log = sample_log();
+  ZstdEncoder encoder;
+  std::string compressed;
+  for (int i = 0; i < 3; ++i) {
+    compressed += encoder.add({reinterpret_cast<const char*>(log.data()), log.size()});
+    compressed += encoder.end_frame();
+  }
+  return {compressed.begin(), compressed.end()};
+}
+
+/// Decompresses all that is readable, and reads its events.
+std::string_view take_compressed_log(std::span<const std::uint8_t> bytes) {
+  ZstdDecoder decoder(bytes);
+  Bytes content;
+  while (decoder.read(content)) {
+  }
+  const ZstdDecoder::Damage& damage = decoder.damage();
+  if (damage.corrupt_bytes + damage.truncated_bytes > bytes.size()) {
+    std::cerr << "more is damaged than there is\n";
+    std::abort();
+  }
+  take_log(content);
+  return damage.corrupt_regions + damage.truncated_bytes > 0 ? "damaged" : "";
+}
+
 std::string_view take_carmen(std::span<const std::uint8_t> bytes) {
   const CarmenLine line =
       parse_carmen_line({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -159,6 +186,9 @@ std::vector<Target> message_targets() {
   return targets;
 }
 
+Target compressed_log_target() {
+  return {"compressed log", {sample_compressed_log()}, take_compressed_log};
+}
 Target log_target() { return {"log", {sample_log()}, take_log}; }
 
 Target journal_target() { return {"journal", {sample_journal()}, take_journal}; }
@@ -188,12 +218,14 @@ Target process_list_target() {
 std::vector<Target> all_targets() {
   std::vector<Target> targets = message_targets();
   targets.push_back(log_target());
+  targets.push_back(compressed_log_target());
   targets.push_back(carmen_target());
   targets.push_back(journal_target());
   targets.push_back(octree_target());
   targets.push_back(process_list_target());
   for (Target& target : world_targets()) targets.push_back(std::move(target));
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
+  for (Target& target : viewer_targets()) targets.push_back(std::move(target));
   return targets;
 }
 

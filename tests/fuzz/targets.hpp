@@ -25,6 +25,7 @@ struct Target {
 // Groups of targets. Add new groups to `all_targets` in targets.cpp.
 
 std::vector<Target> message_targets();
+Target compressed_log_target();
 Target log_target();
 Target carmen_target();
 Target journal_target();
@@ -32,6 +33,7 @@ Target octree_target();
 Target process_list_target();
 std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
+std::vector<Target> viewer_targets();
 
 /// All targets of all groups.
 std::vector<Target> all_targets();

@@ -24,7 +24,8 @@ struct WallPart {
   CellBox box;
 };
 
-WallPart wall_part_at(std::size_t first, const Grid2<Occupancy>& known, Grid2<std::uint8_t>& visited) {
+WallPart wall_part_at(std::size_t first, const Grid2<Occupancy>& known,
+                      Grid2<std::uint8_t>& visited) {
   WallPart part;
   part.cells = {first};
   visited[first] = 1;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <numbers>
 #include <string>
@@ -216,7 +218,6 @@ TEST_F(SceneTest, MarksWhatWasDrivenAndScanned) {
                                       .T_odom_body = {0.1 * i, 0.0, 0.0},
                                       .v_body = {}});
   }
-  scene_.now_utime();
   const auto grid = newest_of<foxglove::Grid>("/map");
   EXPECT_EQ(cell_at(grid, 1.5, 0.05).coverage, 3);
   EXPECT_EQ(cell_at(grid, 1.5, 1.25).coverage, 2);
@@ -303,7 +304,9 @@ TEST_F(SceneTest, DrawsTheGraphWithRevokedLoopClosures) {
   association.chosen = 0;
   send(channels::kAssociation, association);
   for (const auto& entity : newest_of<foxglove::SceneUpdate>("/graph").entities()) {
-    if (entity.id() == "revoked") EXPECT_EQ(entity.lines(0).points_size(), 0);
+    if (entity.id() == "revoked") {
+      EXPECT_EQ(entity.lines(0).points_size(), 0);
+    }
   }
 }
 

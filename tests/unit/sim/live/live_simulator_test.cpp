@@ -3,6 +3,8 @@
 #include "sim/live/live_simulator.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -109,6 +111,21 @@ TEST_F(LiveSimulatorTest, RecordsAllMessagesInOrder) {
   }
   EXPECT_EQ(log.events().front().utime, kStart);
   EXPECT_EQ(log.events().back().utime, kStart + kSecond);
+}
+
+TEST_F(LiveSimulatorTest, DoesNotRecordTheAnswersOfStages) {
+  const test::ScratchFolder scratch;
+  LiveRunOptions options = options_waiting_for({});
+  options.record = scratch / "run.lcmlog";
+  LiveSimulator simulator(bus_, site_, {}, {}, options, kStart);
+  answer(kStart);
+  while (!simulator.done()) simulator.advance(0);
+  simulator.close_record();
+  LogReader log(options.record);
+  std::set<std::string> recorded;
+  while (const auto event = log.next()) recorded.emplace(event->channel);
+  EXPECT_TRUE(recorded.contains("SIM_TIME"));
+  EXPECT_FALSE(recorded.contains("SIM_TIME_DONE"));
 }
 
 TEST_F(LiveSimulatorTest, ReportsAStageThatDoesNotAnswer) {

@@ -42,8 +42,9 @@ final class MinePanel extends JPanel {
 
     static final Color PAPER = new Color(0xe8e5df);
     static final Color WALL = new Color(0x1f242b);
-    /** Ground that the laser should have seen and has not: a drop, water, or open air. */
-    static final Color UNSEEN_GROUND = new Color(0x6fb7e8);
+    /** Beams that should have hit the ground had no return: water, or open air. */
+    static final Color NO_RETURN = new Color(0x6fb7e8);
+    static final Color UNKNOWN_GROUND = new Color(0xc9c5bc);
     static final Color EASY_GROUND = new Color(0x9fd8a8);
     static final Color HARD_GROUND = new Color(0xd9534a);
     static final Color SEQUENTIAL = new Color(0x6d747c);
@@ -178,7 +179,7 @@ final class MinePanel extends JPanel {
                         && coefficient != terrain_t.UNKNOWN;
                 g.setColor(known
                         ? blend(EASY_GROUND, HARD_GROUND, coefficient / COEFFICIENT_HARD_MM)
-                        : UNSEEN_GROUND);
+                        : ground == terrain_t.GROUND_NO_RETURN ? NO_RETURN : UNKNOWN_GROUND);
                 double x = terrain.cornerX + column * m;
                 double y = terrain.cornerY + row * m;
                 Path2D square = new Path2D.Double();

@@ -4,6 +4,7 @@ package adit.viewer;
 
 import adit.cloud_t;
 import adit.local_map_t;
+import adit.map_request_t;
 import adit.planned_path_t;
 import adit.pose_graph_t;
 import adit.terrain_t;
@@ -15,6 +16,7 @@ import java.awt.event.WindowEvent;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JDesktopPane;
 import javax.swing.JFrame;
@@ -28,7 +30,7 @@ import lcm.spy.SpyPlugin;
 /**
  * Draws the mine within lcm-spy: local maps at the poses of the pose graph, the newest terrain map,
  * path and 3D scan, and the robot. It listens from the start of lcm-spy, so that a window that is
- * opened later has all since then.
+ * opened later has all since then; the local maps of before come on request.
  */
 public final class MinePlugin implements SpyPlugin {
     private static final int REPAINT_MS = 200;
@@ -37,7 +39,9 @@ public final class MinePlugin implements SpyPlugin {
     private final AtomicLong changes = new AtomicLong();
 
     public MinePlugin() {
-        new SceneSubscriber(scene, changes::incrementAndGet).subscribe(LCM.getSingleton());
+        LCM lcm = LCM.getSingleton();
+        ReceiveBuffer.enlarge(lcm);
+        new SceneSubscriber(scene, changes::incrementAndGet).subscribe(lcm);
     }
 
     @Override
@@ -59,6 +63,16 @@ public final class MinePlugin implements SpyPlugin {
         };
     }
 
+    /** Mapping publishes all local maps again. */
+    private void requestMap() {
+        map_request_t message = new map_request_t();
+        synchronized (scene) {
+            message.utime = scene.utime;
+        }
+        message.requested_by = "lcm-spy";
+        LCM.getSingleton().publish("MAP_REQUEST", message);
+    }
+
     private void open() {
         MinePanel panel = new MinePanel(scene);
         JPanel choice = new JPanel(new FlowLayout(FlowLayout.LEFT));
@@ -67,6 +81,9 @@ public final class MinePlugin implements SpyPlugin {
             box.addActionListener(event -> panel.show(layer, box.isSelected()));
             choice.add(box);
         }
+        JButton request = new JButton("request earlier local maps");
+        request.addActionListener(event -> requestMap());
+        choice.add(request);
         JFrame frame = new JFrame("Mine");
         frame.setLayout(new BorderLayout());
         frame.add(choice, BorderLayout.NORTH);

@@ -66,6 +66,8 @@ final class MineScene {
     List<pose_constraint_t> constraints = new ArrayList<>();
     PlanarPose T_map_odom = PlanarPose.IDENTITY;
     PlanarPose T_odom_body;
+    /** Of the newest POSE [us since the epoch]. */
+    long utime;
     Terrain terrain;
     planned_path_t path;
     final List<cloud_line_t> cloud = new ArrayList<>();
@@ -107,6 +109,7 @@ final class MineScene {
     }
 
     void add(pose_t message) {
+        utime = message.utime;
         double[] q = message.orientation;  // w, x, y, z
         double yaw = Math.atan2(2 * (q[0] * q[3] + q[1] * q[2]),
                 1 - 2 * (q[2] * q[2] + q[3] * q[3]));

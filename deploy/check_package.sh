@@ -29,6 +29,9 @@ for file in etc/adit/robot.{yaml,cfg} etc/default/adit usr/lib/sysctl.d/60-adit-
   usr/share/doc/adit/{README.md,deploy.md,copyright} usr/bin/adit-record; do
   [[ -f $tree/$file ]] || fail "$file is not in the package"
 done
+if [[ -f $build/share/adit/viewer/page.html ]]; then   # built where npm is
+  cmp -s "$build/share/adit/viewer/page.html" "$tree/usr/share/adit/viewer/page.html" || fail "the page is not in the package"
+fi
 for program in "$build"/bin/adit*; do
   [[ -x $tree/usr/bin/${program##*/} ]] || fail "${program##*/} is not in the package"
   [[ -s $tree/usr/share/man/man1/${program##*/}.1.gz ]] || fail "${program##*/} has no manual page"

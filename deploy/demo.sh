@@ -25,7 +25,7 @@ echo "The robot can be watched while it drives: open the address of the live vie
 cat <<EOF
 
 The results are in $out:
-  mission.html                 report of the mission: one page, opens in any browser
+  mission.html                 the mission in one page, opens in any browser: map, 3D, time, plots, cards of scans
   map.png, map.svg             map with the path of the robot
   map.pgm, map.yaml            the same for Nav2's map_server
   cloud.ply, volume.bt         points of all 3D scans; OctoMap of the mine

@@ -23,8 +23,8 @@ constexpr std::array<std::pair<int, int>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1
 class Marks {
  public:
   explicit Marks(const OccupancyGrid& grid) : grid_(grid), box_(grid.observed_box()) {
-    const auto size = box_.size().cast<std::size_t>();
-    marks_.assign(size.x() * size.y(), 0);
+    const Eigen::Vector2i size = box_.size();
+    marks_.assign(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()), 0);
   }
 
   [[nodiscard]] bool contains(const Eigen::Vector2i& cell) const {

@@ -9,10 +9,10 @@
 
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/node_host.hpp"
+#include "common/records/event_record.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/volume_map/volume_map_node.hpp"
 #include "tools/report/mission_statistics.hpp"
-#include "common/records/event_record.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/map_record.hpp"
 #include "tools/report/records/phase_record.hpp"

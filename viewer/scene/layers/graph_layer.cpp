@@ -29,9 +29,8 @@ void add_segment(foxglove::LinePrimitive& line, const MapFrame& frame, int from,
 }  // namespace
 
 GraphLayer::GraphLayer(TopicBoard& board, const MapFrame& frame) : board_(board), frame_(frame) {
-  topic_ = board.add(
-      protobuf_topic("/graph", *foxglove::SceneUpdate::descriptor(), kGraphPeriodUs),
-      [this] { return graph_message(); });
+  topic_ = board.add(protobuf_topic("/graph", *foxglove::SceneUpdate::descriptor(), kGraphPeriodUs),
+                     [this] { return graph_message(); });
 }
 
 /// A loop closure may be accepted again later, or with another older map.

@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "common/bus/memory_bus.hpp"
-#include "tests/fuzz/targets.hpp"
 #include "viewer/server/protocol.hpp"
 #include "viewer/server/request_origin.hpp"
 #include "viewer/view/order_service.hpp"
+
+#include "common/bus/memory_bus.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace adit::fuzz {
 namespace {
@@ -51,7 +52,8 @@ std::vector<Target> viewer_targets() {
   const auto orders = std::make_shared<Orders>();
   return {
       {"viewer_text_frame",
-       {frame_of(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2},{"id":3,"channelId":4}]})"),
+       {frame_of(
+            R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2},{"id":3,"channelId":4}]})"),
         frame_of(R"({"op":"unsubscribe","subscriptionIds":[1,3]})"),
         frame_of(R"({"op":"advertise","channels":[{"id":1,"topic":"/a","encoding":"json"}]})")},
        [](std::span<const std::uint8_t> bytes) {
@@ -59,7 +61,9 @@ std::vector<Target> viewer_targets() {
        }},
       {"viewer_binary_frame",
        {binary_frame(2, 8, std::string("\4\0\0\0json{}", 10)), playback, binary_frame(1, 4, "{}")},
-       [](std::span<const std::uint8_t> bytes) { return protocol::parse_binary(bytes).rejection(); }},
+       [](std::span<const std::uint8_t> bytes) {
+         return protocol::parse_binary(bytes).rejection();
+       }},
       {"viewer_order",
        {frame_of(kOrder), frame_of(kProcess)},
        [orders](std::span<const std::uint8_t> bytes) -> std::string_view {
@@ -78,7 +82,8 @@ std::vector<Target> viewer_targets() {
          const std::string_view text = view_of(bytes);
          const std::size_t line = std::min(text.find('\n'), text.size());
          const std::string_view host = text.substr(std::min(line + 1, text.size()));
-         const bool allowed = is_own_host(host) && is_allowed_origin(text.substr(0, line), host, {});
+         const bool allowed =
+             is_own_host(host) && is_allowed_origin(text.substr(0, line), host, {});
          return allowed ? "" : "not allowed";
        }},
   };

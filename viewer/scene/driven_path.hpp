@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/messages/mapping/odometry.hpp"
 #include "viewer/scene/map_frame.hpp"
+
+#include "common/messages/mapping/odometry.hpp"
 
 namespace adit {
 

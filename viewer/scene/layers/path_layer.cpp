@@ -48,11 +48,10 @@ std::string PathLayer::trajectory_message() const {
       const bool continues = line != nullptr;
       const foxglove::Point3 last =
           continues ? line->points(line->points_size() - 1) : foxglove::Point3();
-      line = &values::add_line(
-          values::add_entity(update, utime, homeward ? "return" : "outbound"),
-          LinePrimitive::LINE_STRIP, kTrajectoryPx,
-          homeward ? values::Rgba{.r = 0.85, .g = 0.4, .b = 0.0}
-                   : values::Rgba{.r = 0.1, .g = 0.35, .b = 0.8});
+      line = &values::add_line(values::add_entity(update, utime, homeward ? "return" : "outbound"),
+                               LinePrimitive::LINE_STRIP, kTrajectoryPx,
+                               homeward ? values::Rgba{.r = 0.85, .g = 0.4, .b = 0.0}
+                                        : values::Rgba{.r = 0.1, .g = 0.35, .b = 0.8});
       if (continues) *line->add_points() = last;
     }
     values::set_point(*line->add_points(), p_map);

@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "common/types/planned_path.hpp"
 #include "viewer/scene/driven_path.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
+
+#include "common/types/planned_path.hpp"
 
 namespace adit {
 

@@ -8,9 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "common/geometry/symmetric_eigen.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
+
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -35,9 +36,8 @@ void add_ellipse(const std::string& id, const LevelPose& T_map_body,
   values::add_metadata(entity, "height_95_m",
                        fmt::format("{:.6f}", kFactorHeight * std::sqrt(std::max(0.0, z_variance))));
   values::add_metadata(entity, "distance_m", distance_m);
-  foxglove::LinePrimitive& line =
-      values::add_line(entity, foxglove::LinePrimitive::LINE_LOOP, 1.5,
-                       {.r = 0.8, .g = 0.2, .b = 0.6});
+  foxglove::LinePrimitive& line = values::add_line(entity, foxglove::LinePrimitive::LINE_LOOP, 1.5,
+                                                   {.r = 0.8, .g = 0.2, .b = 0.6});
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kCorners;
     const Eigen::Vector2d p_body =

@@ -153,13 +153,14 @@ class FileAssociation {
 
   LazyLoopClosuresResult run(const std::function<void(double)>& progress) {
     if (params_.best_first && loses_heading(odometry_)) {
-      if (auto consensus = find_consensus(graph_, odometry_, params_.gate)) {
+      auto consensus = find_consensus(graph_, odometry_, params_.gate);
+      if (consensus && consensus->is_certified) {
         adopt(std::move(*consensus));
         if (progress && share_done() > 0.0) progress(1.0);
         return std::move(result_);
       }
       result_.doubts.emplace_back(
-          "the odometry loses its heading, and its loops have no consensus");
+          "the odometry loses its heading, and its loops have no consensus with a proven optimum");
     }
     std::size_t batch = params_.best_first ? kBatchFirst : 1;
     for (auto next = queue_->next(batch); !next.empty(); next = queue_->next(batch)) {
@@ -212,10 +213,6 @@ class FileAssociation {
       decision.reason = accepted ? "agrees with the others" : "does not agree with the others";
       record({all[i]}, {decision});
       result_.constraint_of_loop_closure.push_back(constraint);
-    }
-    if (!consensus.is_certified) {
-      result_.doubts.emplace_back(
-          "the odometry loses its heading, and the optimum is not proven to be the global one");
     }
     if (consensus.is_contradictory) {
       result_.doubts.emplace_back(

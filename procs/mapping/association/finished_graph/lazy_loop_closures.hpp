@@ -31,7 +31,7 @@ struct LazyLoopClosuresResult {
 /// Lazy data association on a pose graph with possibly wrong loops: the constraints i → i + 1 (the
 /// first of each) and those that bridge gaps are the odometry (GraphOdometry), all others are loop
 /// closures with one alternative, decided in the order of LoopQueue; or together by
-/// `find_consensus`, where the odometry loses its heading and the loops agree. Throws
+/// `find_consensus`, where the odometry loses its heading and the optimum of that is proven. Throws
 /// std::invalid_argument, naming the node, if the graph is not connected. `progress` is called with
 /// the share that is done.
 LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,

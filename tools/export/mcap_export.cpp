@@ -76,8 +76,11 @@ class SceneRecorder {
   /// `due_utime`: for the periods of the topics.
   void write(std::int64_t due_utime, std::int64_t log_utime) {
     write_utime_ = due_utime;
-    for (const TopicBoard::Update& update : board_.take_due(
-             due_utime, [&](TopicId topic) { return due_utime >= next_utime_[topic]; })) {
+    const auto is_due = [&](TopicId topic) {
+      const bool appended = board_.topics()[topic].retention == Retention::kAppended;
+      return appended || due_utime >= next_utime_[topic];
+    };
+    for (const TopicBoard::Update& update : board_.take_due(due_utime, is_due)) {
       next_utime_[update.topic] =
           log_utime + static_cast<std::int64_t>(static_cast<double>(update.message.bytes->size()) /
                                                 kTopicBytesPerUs);

@@ -3,6 +3,7 @@
 #include "tools/export/mcap_export.hpp"
 
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -20,7 +21,10 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kWritePeriodUs = 10'000;              // topics have longer periods, or none
+constexpr std::int64_t kWritePeriodUs = 10'000;  // topics have longer periods, or none
+// A topic of large messages (map, volume) is written as rarely as keeps it below this rate, and at
+// the end.
+constexpr double kTopicBytesPerUs = 0.1;
 constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;  // longer ones are damaged times
 constexpr std::size_t kEventsPerProgress = 10'000;
 
@@ -72,8 +76,14 @@ class SceneRecorder {
   /// `due_utime`: for the periods of the topics.
   void write(std::int64_t due_utime, std::int64_t log_utime) {
     write_utime_ = due_utime;
-    for (const TopicBoard::Update& update :
-         board_.take_due(due_utime, [](TopicId) { return true; })) {
+    const auto is_due = [&](TopicId topic) {
+      const bool appended = board_.topics()[topic].retention == Retention::kAppended;
+      return appended || due_utime >= next_utime_[topic];
+    };
+    for (const TopicBoard::Update& update : board_.take_due(due_utime, is_due)) {
+      next_utime_[update.topic] =
+          log_utime + static_cast<std::int64_t>(static_cast<double>(update.message.bytes->size()) /
+                                                kTopicBytesPerUs);
       writer_.write(channels_[update.topic], log_utime, update.message.utime,
                     *update.message.bytes);
     }
@@ -86,6 +96,7 @@ class SceneRecorder {
   Scene scene_;
   McapWriter writer_;
   std::vector<std::uint16_t> channels_;  ///< by topic
+  std::map<TopicId, std::int64_t> next_utime_;
   std::int64_t write_utime_ = 0;
   std::size_t skipped_ = 0;
 };

@@ -20,9 +20,10 @@ struct McapExport {
 };
 
 /// Writes the topics of the viewer (viewer/README.md), as they are when the logs of one mission are
-/// played, to an MCAP file for Foxglove, Lichtblick and the command mcap. The logs may be in any
-/// order. The same logs give the same bytes. Throws std::runtime_error if a log cannot be read or
-/// has no message for the viewer, or if the file cannot be written; then there is no file.
+/// played, to an MCAP file for Foxglove, Lichtblick and the command mcap. Of a topic of large
+/// messages (map, volume) those of which 100 kB per second remain, and the last one. The logs may
+/// be in any order. The same logs give the same bytes. Throws std::runtime_error if a log cannot be
+/// read or has no message for the viewer, or if the file cannot be written; then there is no file.
 McapExport export_mcap(const std::vector<std::filesystem::path>& logs,
                        const std::filesystem::path& file, const SceneParameters& parameters,
                        const std::function<void(double)>& progress);

@@ -36,7 +36,8 @@ struct ExportOptions {
 constexpr const char* kExportDetails =
     R"(--mcap writes the topics of the viewer, with their schemas (Foxglove's as Protocol Buffers, others as JSON),
 for Foxglove, Lichtblick and the command mcap: poses, lasers, map, 3D scans, pose graph, frontiers, mission.
-Messages have the time at which the log was recorded.
+Messages have the time at which the log was recorded. Map and volume are written as rarely as keeps each
+below 100 kB per second of the mission, and at the end.
 
 --lcmlog writes the messages as they are, as one LCM log: compressed with zstd if the name ends with .zst,
 plain otherwise, for lcm-logplayer. All commands read both.

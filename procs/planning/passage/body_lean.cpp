@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/planning/passage/body_lean.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace adit {

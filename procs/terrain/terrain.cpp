@@ -29,9 +29,11 @@ void for_each_cell(const TerrainMap& map, const Visit& visit) {
 }
 
 /// Marks what continues regions that hang over the ground away from the laser: at the far end of a
-/// roof no beam passes below it.
+/// roof no beam passes below it. What lies below a roof itself does not: walls and banks lead from
+/// the roof down to the floor without a gap.
 void mark_continued(std::vector<std::uint8_t>& hanging, const std::vector<float>& low_m,
-                    const TerrainMap& map, const Eigen::Vector2d& p_level_laser) {
+                    const std::vector<std::uint8_t>& below_roof, const TerrainMap& map,
+                    const Eigen::Vector2d& p_level_laser) {
   const auto distance_m = [&](const Eigen::Vector2i& at) {
     return (map.centre(at.x(), at.y()) - p_level_laser).norm();
   };
@@ -49,7 +51,8 @@ void mark_continued(std::vector<std::uint8_t>& hanging, const std::vector<float>
         const Eigen::Vector2i next = at + Eigen::Vector2i(dx, dy);
         if (!map.cells.contains(next)) continue;
         const std::size_t i = map.cells.index(next);
-        if (hanging[i] != 0 || distance_m(next) <= distance_m(at)) continue;
+        if (hanging[i] != 0 || below_roof[i] != 0) continue;
+        if (distance_m(next) <= distance_m(at)) continue;
         const float gap_m = static_cast<float>(map.cell_m) * std::hypot(dx, dy);
         const float rise_m = std::abs(low_m[i] - low_m[from]);
         if (!(rise_m <= kContinuousM + GroundTrend::kGradeMax * gap_m)) continue;  // or NaN
@@ -66,14 +69,16 @@ RegionGround region_ground(const RegionHeights& regions, const TerrainMap& map,
   RegionGround ground{std::vector<float>(map.cells.size()),
                       std::vector<std::uint8_t>(map.cells.size(), 0)};
   std::vector<std::uint8_t> hanging(map.cells.size());
+  std::vector<std::uint8_t> below_roof(map.cells.size());
   for_each_cell(map, [&](int column, int row, std::size_t i) {
     const float low_m = regions.low_m(column, row);
-    const float high_m = regions.above(column, row, low_m).high_m;
+    const RegionHeights::Above above = regions.above(column, row, low_m);
     ground.low_m[i] = low_m;
-    ground.steep[i] = high_m - low_m > static_cast<float>(step_max_m) ? 1 : 0;
+    ground.steep[i] = above.high_m - low_m > static_cast<float>(step_max_m) ? 1 : 0;
+    below_roof[i] = std::isfinite(above.roof_m) ? 1 : 0;
     hanging[i] = beams.pass_below(map.centre(column, row).cast<float>(), low_m) ? 1 : 0;
   });
-  mark_continued(hanging, ground.low_m, map, beams.p_level_laser());
+  mark_continued(hanging, ground.low_m, below_roof, map, beams.p_level_laser());
   for (std::size_t i = 0; i < hanging.size(); ++i) {
     if (hanging[i] != 0) ground.low_m[i] = kUnknown;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ constexpr double kNone = -std::numeric_limits<double>::infinity();
 /// Hits of the rays, row by row along the wheel; kNone marks rays without a hit.
 struct Ground {
   std::array<double, kRays> height_m;
+  std::array<double, kRays> grade;  ///< of the surface, along the heading of the wheel [m/m]
   std::array<std::uint32_t, kRays> triangle;
 };
 
@@ -33,12 +35,19 @@ struct Ground {
 int along(int ray) { return ray / kSide - kMiddle; }
 int across(int ray) { return ray % kSide - kMiddle; }
 
-Ground cast_down(const RayScene& scene, const std::array<Ray, kRays>& rays) {
+/// Rise of a surface along a direction of the plan [m/m].
+double grade_along(const Eigen::Vector3f& normal, const Eigen::Vector2d& direction) {
+  return -normal.head<2>().cast<double>().dot(direction) / static_cast<double>(normal.z());
+}
+
+Ground cast_down(const RayScene& scene, const std::array<Ray, kRays>& rays, double heading_rad) {
+  const Eigen::Vector2d ahead(std::cos(heading_rad), std::sin(heading_rad));
   std::array<RayHit, kRays> hits;
   scene.cast(rays, kDepthM, hits, RayScene::Layer::kSolid);
   Ground ground{};
   for (std::size_t i = 0; i < kRays; ++i) {
     ground.height_m[i] = static_cast<double>(rays[i].origin.z()) - hits[i].distance_m;
+    ground.grade[i] = grade_along(hits[i].normal, ahead);
     ground.triangle[i] = hits[i].triangle;
   }
   return ground;
@@ -62,11 +71,20 @@ void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {
   }
 }
 
-void find_step(const Ground& ground, WheelGround& wheel) {
+/// The grade that all have in common; 0 if they rise and fall.
+double common_grade(std::initializer_list<double> grades) {
+  const auto [low, high] = std::minmax(grades);
+  return std::clamp(0.0, low, high);
+}
+
+void find_step(const Ground& ground, double grade_ahead, double spacing_m, WheelGround& wheel) {
   for (int behind = 0; behind + 2 * kSide < kRays; ++behind) {
     const int ahead = behind + 2 * kSide;
-    const double rise = ground.height_m[ahead] - ground.height_m[behind];
-    if (!std::isfinite(rise) || std::abs(rise) <= wheel.step_m) continue;
+    const double change = ground.height_m[ahead] - ground.height_m[behind];
+    if (!std::isfinite(change)) continue;
+    const double grade = common_grade({grade_ahead, ground.grade[behind], ground.grade[ahead]});
+    const double rise = change - 2.0 * spacing_m * grade;
+    if (std::abs(rise) <= wheel.step_m) continue;
     wheel.step_m = std::abs(rise);
     wheel.step_triangle = ground.triangle[rise > 0.0 ? ahead : behind];
   }
@@ -89,11 +107,11 @@ std::optional<WheelGround> WheelGroundProbe::under(const WheelPlace& place) cons
     rays[i] = {Eigen::Vector3d(p_world.x(), p_world.y(), place.cast_from_m).cast<float>(),
                -Eigen::Vector3f::UnitZ()};
   }
-  const Ground ground = cast_down(scene_, rays);
+  const Ground ground = cast_down(scene_, rays, place.heading_rad);
   if (!has_ground_below_middle(ground)) return std::nullopt;
   WheelGround wheel{kNone, 0, 0.0, 0};
   rest_on(ground, wheel_radius_m_, wheel);
-  find_step(ground, wheel);
+  find_step(ground, place.grade_ahead, kSpacing * wheel_radius_m_, wheel);
   return wheel;
 }
 
@@ -164,11 +182,17 @@ Eigen::Vector2d Stance::p_world_wheel(std::size_t wheel, const Pose2& T_world_pl
   return Pose2{T_world_plan.x, T_world_plan.y, turn} * level;
 }
 
+/// Of the previous pose, which differs little.
+double Stance::grade_ahead() const {
+  const Eigen::Vector3d ahead = T_world_body_.linear().col(0);
+  return ahead.z() / ahead.head<2>().norm();
+}
+
 Stance::Fault Stance::find_ground(const Pose2& T_world_plan, double change_max_m) {
   const TriangleMesh& mesh = site_.scene().mesh();
   for (std::size_t i = 0; i < 4; ++i) {
     const auto ground = probe_.under({p_world_wheel(i, T_world_plan), T_world_plan.theta,
-                                      ground_m_[i] + 2.0 * vehicle_.wheel_radius_m});
+                                      ground_m_[i] + 2.0 * vehicle_.wheel_radius_m, grade_ahead()});
     if (!ground) return fmt::format("no ground under the {}", kWheelNames[i]);
     const double change_m = std::abs(ground->height_m - ground_m_[i]);
     if (ground->step_m > vehicle_.step_max_m) {

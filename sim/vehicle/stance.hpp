@@ -22,6 +22,7 @@ struct WheelPlace {
   Eigen::Vector2d p_world{0.0, 0.0};  ///< middle of the wheel [m]
   double heading_rad = 0.0;
   double cast_from_m = 0.0;  ///< z in world
+  double grade_ahead = 0.0;  ///< of the plane on which the vehicle stands, along the heading [m/m]
 };
 
 /// The ground under one wheel.
@@ -29,12 +30,15 @@ struct WheelGround {
   double height_m = 0.0;       ///< z of the lowest point of a wheel that rests on it, in world
   std::uint32_t triangle = 0;  ///< that supports the wheel
 
-  double step_m = 0.0;              ///< greatest change of height along 0.6 of a wheel radius
+  double step_m = 0.0;              ///< greatest step, vertical, along 0.6 of a wheel radius
   std::uint32_t step_triangle = 0;  ///< on the upper side of the step
 };
 
 /// Finds the ground under wheels with a grid of 5 × 5 rays for each wheel, dense enough that no
-/// rail passes between two. A wheel is a cylinder that rests on the highest hit.
+/// rail passes between two. A wheel is a cylinder that rests on the highest hit. A step is a change
+/// of height beyond the slope of the ground: of the grades of the plane on which the vehicle stands
+/// and of the surfaces above and below the step the least, so that a plane has no step and a step
+/// on a slope has the height of its face.
 class WheelGroundProbe {
  public:
   /// `scene` must outlive this.
@@ -74,6 +78,7 @@ class Stance {
  private:
   [[nodiscard]] Eigen::Vector3d p_body_wheel(std::size_t wheel) const;
   [[nodiscard]] Eigen::Vector2d p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const;
+  [[nodiscard]] double grade_ahead() const;
   /// `change_max_m` limits the change of the ground's height under a wheel since the last call.
   Fault find_ground(const Pose2& T_world_plan, double change_max_m);
   Fault sink(const Pose2& T_world_plan);

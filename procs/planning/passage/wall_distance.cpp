@@ -108,7 +108,8 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
                            const GroundLimits& limits)
     : p_level_corner_(terrain.p_level_corner),
       part_m_(terrain.cell_m / CellParts::kSide),
-      half_m_(body_outline(vehicle).half) {
+      half_m_(body_outline(vehicle).half),
+      lean_(terrain, vehicle) {
   Grid2<std::uint8_t> blocked(CellParts::kSide * terrain.cells.columns(),
                               CellParts::kSide * terrain.cells.rows());
   const Pose2 T_body_level = T_level_body.inverse();
@@ -176,13 +177,22 @@ WallDistance::Sides WallDistance::sides(const Pose2& T_level_body) const {
     sides.left_m = std::min(sides.left_m, free_beside_m(p, y));
     sides.right_m = std::min(sides.right_m, free_beside_m(p, -y));
   }
+  const double top_left_m = lean_.top_m(T_level_body).y();
+  sides.left_m -= std::max(top_left_m, 0.0);
+  sides.right_m -= std::max(-top_left_m, 0.0);
   return sides;
 }
 
 double WallDistance::clearance_m(const Pose2& T_level_body) const {
-  double clearance_m = at(T_level_body.translation());
+  const Eigen::Vector2d top_m = lean_.top_m(T_level_body);
+  return std::min(outline_clearance_m(T_level_body),
+                  outline_clearance_m(T_level_body * Pose2{top_m.x(), top_m.y(), 0.0}));
+}
+
+double WallDistance::outline_clearance_m(const Pose2& T_level_outline) const {
+  double clearance_m = at(T_level_outline.translation());
   const auto sample = [&](double x, double y) {
-    clearance_m = std::min(clearance_m, at(T_level_body * Eigen::Vector2d(x, y)));
+    clearance_m = std::min(clearance_m, at(T_level_outline * Eigen::Vector2d(x, y)));
   };
   for (int axis = 0; axis < 2; ++axis) {
     const int samples = static_cast<int>(std::ceil(2.0 * half_m_[axis] / kEdgeStepM));

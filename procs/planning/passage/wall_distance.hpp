@@ -7,6 +7,7 @@
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
 #include "procs/planning/c_space/ground_layers.hpp"
+#include "procs/planning/passage/body_lean.hpp"
 
 namespace adit {
 
@@ -39,12 +40,14 @@ class WallDistance {
   static constexpr double kSideMaxM = 1.0;
 
  private:
+  [[nodiscard]] double outline_clearance_m(const Pose2& T_level_outline) const;
   [[nodiscard]] double free_beside_m(const Eigen::Vector2d& p_level,
                                      const Eigen::Vector2d& direction) const;
 
   Eigen::Vector2d p_level_corner_;
   double part_m_;
   Eigen::Vector2d half_m_;  ///< half the length and half the width of the body
+  BodyLean lean_;
   Grid2<float> distance_m_;
 };
 

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kFloat = 1e-5;  // of heights of some metres, over an axle
 
-/// A hall whose floor is a plane through (0, 0, 5), rotated about an axis.
-World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
+/// A hall whose floor is a plane through (0, 0, 5), rotated about an axis. From 3 m on along x it
+/// is higher by a ledge.
+World sloping_hall(double angle_rad, const Eigen::Vector3d& axis, double ledge_m = 0.0) {
   const Eigen::AngleAxisd turn(angle_rad, axis);
   World world = box_tunnel({40.0, 40.0, 12.0}, [&](MeshBuilder& builder) {
     OrientedBox slab;
@@ -20,6 +21,12 @@ World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
         Eigen::Translation3d(0.0, 0.0, 5.0) * turn * Eigen::Translation3d(0.0, 0.0, -0.1);
     slab.half_size = {10.0, 10.0, 0.1};
     builder.begin_part(PartKind::kOther, Material::kRock, "slope");
+    builder.box(slab);
+    if (ledge_m == 0.0) return;
+    slab.T_world_box =
+        Eigen::Translation3d(0.0, 0.0, 5.0 + ledge_m) * turn * Eigen::Translation3d(8.0, 0.0, -0.3);
+    slab.half_size = {5.0, 10.0, 0.3};
+    builder.begin_part(PartKind::kOther, Material::kRock, "ledge");
     builder.box(slab);
   });
   const Eigen::Vector3d normal = turn * Eigen::Vector3d::UnitZ();
@@ -83,6 +90,48 @@ TEST(VehicleGround, StartsOnASlopeUpToItsLimit) {
     const Site site(sloping_hall(0.45, axis));
     const VehicleModel vehicle(site, {}, without_slip(), 1, 0);
     EXPECT_NEAR(std::acos(vehicle.motion().T_world_body(2, 2)), 0.45, 1e-4);
+  }
+}
+
+TEST(VehicleGround, FindsNoStepOnAPlane) {
+  const double slope = deg_to_rad(15.0);
+  const Site site(sloping_hall(-slope, Eigen::Vector3d::UnitY()));
+  const WheelGroundProbe probe(site.scene(), {});
+  for (const double heading : {0.0, 0.7, 3.0}) {
+    const double grade_ahead = std::tan(slope) * std::cos(heading);
+    const auto ground = probe.under({{1.0, 2.0}, heading, 6.0, grade_ahead});
+    ASSERT_TRUE(ground);
+    EXPECT_NEAR(ground->step_m, 0.0, kFloat);
+  }
+}
+
+TEST(VehicleGround, FindsTheHeightOfTheFaceOfAStepOnASlope) {
+  for (const double slope : {-0.25, 0.0, 0.25}) {
+    const Site site(sloping_hall(-slope, Eigen::Vector3d::UnitY(), 0.2));
+    const WheelGroundProbe probe(site.scene(), {});
+    const double x = 3.0 * std::cos(slope) + 0.03;  // no ray meets the edge itself
+    const auto ground = probe.under({{x, 0.0}, 0.0, 7.0, std::tan(slope)});
+    ASSERT_TRUE(ground);
+    EXPECT_NEAR(ground->step_m, 0.2, kFloat);
+  }
+}
+
+TEST(VehicleGround, CountsTheSlopeOfAStandingVehicleOnly) {
+  const Site site(sloping_hall(-0.45, Eigen::Vector3d::UnitY()));
+  const auto ground = WheelGroundProbe(site.scene(), {}).under({{1.0, 0.0}, 0.0, 6.0, 0.0});
+  ASSERT_TRUE(ground);
+  EXPECT_NEAR(ground->step_m, 0.18 * std::tan(0.45), kFloat);  // a steep face before a level body
+}
+
+TEST(VehicleGround, ClimbsTheSameStepOnASlopeAsOnLevelGround) {
+  for (const double slope : {-0.25, 0.0, 0.25}) {
+    for (const double ledge_m : {0.19, 0.21}) {
+      const Site site(sloping_hall(-slope, Eigen::Vector3d::UnitY(), ledge_m));
+      VehicleModel vehicle(site, {}, without_slip(), 1, 0);
+      drive(vehicle, 0.5, 0.0, 12.0);
+      EXPECT_EQ(vehicle.failure().has_value(), ledge_m > 0.2)
+          << slope << " " << ledge_m << " " << vehicle.failure().value_or("");
+    }
   }
 }
 

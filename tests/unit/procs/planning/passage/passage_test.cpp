@@ -114,6 +114,27 @@ TEST(Passage, LeadsInReverseWithTheRear) {
   EXPECT_GT(true_clearance_m(path, tunnel), 0.06 - 2.0 * kPartErrorM);
 }
 
+/// Raises the ground on one side of the centre line of a tunnel along x.
+TerrainMap with_raised_side(TerrainMap map, double side, float height_m) {
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    const Eigen::Vector2i at = map.cells.cell(i);
+    TerrainCell& cell = map.cells[i];
+    if (side * map.centre(at.x(), at.y()).y() < 0.2 || cell.coefficient_m > 0.2F) continue;
+    cell.high_m = cell.coefficient_m = height_m;
+  }
+  return map;
+}
+
+TEST(Passage, EndsWhereABodyThatLeansDoesNotFit) {
+  const StraightOrBentTunnel tunnel{1.32};
+  PlanGoal goal;
+  goal.distance_m = 7.0;
+  const PlannedPath path =
+      Planning(PlanningParams{})
+          .plan(with_raised_side(terrain_of_tunnel(tunnel), 1.0, 0.15F), goal, {});
+  EXPECT_NE(path.outcome, PlanOutcome::kFound);  // 0.12 m of room, 0.16 m of lean
+}
+
 TEST(Passage, IsNoneWhereTheBodyDoesNotFit) {
   for (const double width_m : {1.0, 1.15, 1.2}) {
     EXPECT_NE(plan_along({width_m, 0.0}).outcome, PlanOutcome::kFound) << width_m;

@@ -154,6 +154,33 @@ TEST(UnseenGround, IsNotTheRoofThatFallsBehindAnEdge) {
   }
 }
 
+/// Banks of fallen rock lead from the roof to the floor in steps that a roof could have.
+TEST(UnseenGround, IsNotTheFloorAtTheFootOfABankThatReachesTheRoof) {
+  for (const float slope : {0.5F, 0.6F, 0.7F, 0.8F}) {
+    for (const float height_m : {1.6F, 2.1F}) {
+      const TerrainMap map = map_of([&](MeshBuilder& builder) {
+        add_slab(builder, {-5.0F, 0.0F}, {25.0F, 0.0F});
+        add_rock(builder, {10.0, 0.0, height_m + 0.5}, {40.0, 20.0, 1.0});
+        add_rock(builder, {10.0, 2.5, 0.0}, {40.0, 1.0, 20.0});
+        const float top_y = -1.4F - height_m / slope;
+        builder.quad(builder.vertex({-5.0F, top_y, height_m}),
+                     builder.vertex({25.0F, top_y, height_m}), builder.vertex({25.0F, -1.4F, 0.0F}),
+                     builder.vertex({-5.0F, -1.4F, 0.0F}));
+      });
+      const Eigen::AlignedBox2d floor(Eigen::Vector2d(2.5, -1.2), Eigen::Vector2d(12.0, 1.2));
+      int observed = 0;
+      int wrong = 0;
+      for_cells(map, floor, [&](const TerrainCell& cell) {
+        if (cell.ground != Ground::kObserved) return;
+        ++observed;
+        wrong += std::abs(cell.low_m) < 0.1F ? 0 : 1;
+      });
+      EXPECT_GT(observed, 500);
+      EXPECT_EQ(wrong, 0) << slope << " " << height_m;
+    }
+  }
+}
+
 /// The vehicle does not fit below it, wherever the hidden ground is that it could drive on.
 TEST(UnseenGround, BelowALowSlabNearItsEdgeLeavesNoRoom) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {

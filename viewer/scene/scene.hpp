@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/layers/cloud_layer.hpp"
 #include "viewer/scene/layers/event_layer.hpp"
 #include "viewer/scene/layers/frontier_layer.hpp"
@@ -19,7 +20,6 @@
 #include "viewer/scene/layers/uncertainty_layer.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/scene_parameters.hpp"
-#include "viewer/scene/traversed_path.hpp"
 #include "viewer/server/topic_board.hpp"
 
 #include "common/bus/bus.hpp"
@@ -58,7 +58,7 @@ class Scene {
   TerrainReassembler terrain_fragments_;
   int scan_ = 0;  ///< number of the newest 3D scan
   MapFrame frame_;
-  TraversedPath path_{frame_};
+  AnchoredPath path_{frame_};
   RobotLayer robot_;
   MapLayer map_;
   CloudLayer clouds_;

@@ -13,7 +13,7 @@
 namespace adit {
 
 /// The path driven so far, thinned, as poses that follow the pose graph.
-class TraversedPath {
+class AnchoredPath {
  public:
   /// When it is reached, every second pose is dropped.
   static constexpr std::size_t kPosesMax = 40'000;
@@ -26,7 +26,7 @@ class TraversedPath {
   };
 
   /// `frame` must outlive this.
-  explicit TraversedPath(const MapFrame& frame) : frame_(frame) {}
+  explicit AnchoredPath(const MapFrame& frame) : frame_(frame) {}
 
   /// Returns whether the path has become longer.
   bool add(const StampedPose& pose);

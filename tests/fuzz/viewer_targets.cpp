@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz targets for what clients of the viewer send: frames of the WebSocket protocol, and orders.
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -35,6 +36,23 @@ Bytes binary_frame(std::uint8_t opcode, std::size_t zeros, std::string_view rest
   return frame;
 }
 
+/// Takes orders with the token of the samples.
+struct Orders {
+  MemoryBus bus;
+  OrderService service{bus, "secret",
+                       [](const std::string&, const std::string&) { return std::string(); }};
+
+  /// The reason for rejection of a call of a service.
+  std::string_view call(std::size_t index, std::string_view payload) {
+    return service
+        .call({.service = OrderService::services().at(index).id,
+               .call = 1,
+               .encoding = "json",
+               .payload = std::string(payload)})
+        .rejection();
+  }
+};
+
 }  // namespace
 
 std::vector<Target> viewer_targets() {
@@ -44,11 +62,6 @@ std::vector<Target> viewer_targets() {
   Bytes playback = binary_frame(3, 5, std::string(9, '\0') + std::string("\1\0\0\0a", 5));
   playback[4] = 0x80;
   playback[5] = 0x3f;
-  struct Orders {
-    MemoryBus bus;
-    OrderService service{bus, "secret",
-                         [](const std::string&, const std::string&) { return std::string(); }};
-  };
   const auto orders = std::make_shared<Orders>();
   return {
       {"viewer_text_frame",
@@ -65,17 +78,11 @@ std::vector<Target> viewer_targets() {
          return protocol::parse_binary(bytes).rejection();
        }},
       {"viewer_order",
-       {frame_of(kOrder), frame_of(kProcess)},
-       [orders](std::span<const std::uint8_t> bytes) -> std::string_view {
-         for (const auto& offered : OrderService::services()) {
-           const auto answer = orders->service.call({.service = offered.id,
-                                                     .call = 1,
-                                                     .encoding = "json",
-                                                     .payload = std::string(view_of(bytes))});
-           if (!answer) return answer.rejection();
-         }
-         return {};
-       }},
+       {frame_of(kOrder)},
+       [orders](std::span<const std::uint8_t> bytes) { return orders->call(0, view_of(bytes)); }},
+      {"viewer_process",
+       {frame_of(kProcess)},
+       [orders](std::span<const std::uint8_t> bytes) { return orders->call(1, view_of(bytes)); }},
       {"viewer_origin",
        {frame_of("http://127.0.0.1:8765\n127.0.0.1:8765"), frame_of("https://[::1]:80\n[::1]:80")},
        [](std::span<const std::uint8_t> bytes) -> std::string_view {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/layers/cloud_layer.hpp"
 #include "viewer/scene/layers/event_layer.hpp"
 #include "viewer/scene/layers/frontier_layer.hpp"
@@ -58,7 +58,7 @@ class Scene {
   TerrainReassembler terrain_fragments_;
   int scan_ = 0;  ///< number of the newest 3D scan
   MapFrame frame_;
-  DrivenPath path_{frame_};
+  AnchoredPath path_{frame_};
   RobotLayer robot_;
   MapLayer map_;
   CloudLayer clouds_;

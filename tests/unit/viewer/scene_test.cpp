@@ -564,7 +564,8 @@ TEST_F(SceneTest, KeepsARowOfHistoryASecondAndMovesItWithTheGraph) {
   const auto rows = [this] {
     std::vector<nlohmann::json> all;
     for (const TopicMessage& message : messages("/history")) {
-      for (const auto& row : nlohmann::json::parse(*message.bytes)["rows"]) all.push_back(row);
+      const auto chunk = nlohmann::json::parse(*message.bytes);
+      for (const auto& row : chunk["rows"]) all.push_back(row);
     }
     return all;
   };

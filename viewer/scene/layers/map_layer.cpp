@@ -87,7 +87,7 @@ std::array<std::uint8_t, 4> color_of(std::uint8_t occupancy, Coverage coverage) 
 
 }  // namespace
 
-MapLayer::MapLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
+MapLayer::MapLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& path,
                    const SceneParameters& parameters)
     : board_(board),
       frame_(frame),
@@ -175,7 +175,7 @@ CellBox MapLayer::covered_box(double cell_m) const {
 void MapLayer::draw_path(Grid2<Sum>& sums, double cell_m) const {
   const double radius_m = 0.5 * parameters_.vehicle.width_m;
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m));
-  for (const DrivenPath::Pose& pose : path_.poses()) {
+  for (const AnchoredPath::Pose& pose : path_.poses()) {
     const Eigen::Vector2d p_map = frame_.T_map(pose.anchored).plan.translation();
     if (!(p_map.cwiseAbs().maxCoeff() < kExtentMaxM)) continue;
     const Eigen::Vector2i middle = cell_of(p_map, cell_m);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/map_raster.hpp"
 #include "viewer/scene/scene_parameters.hpp"
@@ -32,7 +32,7 @@ class MapLayer {
   static constexpr std::size_t kRasterBytesMax = 48'000'000;
 
   /// All must outlive this.
-  MapLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
+  MapLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& path,
            const SceneParameters& parameters);
   MapLayer(const MapLayer&) = delete;
   MapLayer& operator=(const MapLayer&) = delete;
@@ -66,7 +66,7 @@ class MapLayer {
 
   TopicBoard& board_;
   const MapFrame& frame_;
-  const DrivenPath& path_;
+  const AnchoredPath& path_;
   const SceneParameters& parameters_;
   TopicId topic_ = 0;
   double cell_m_ = 0.1;

@@ -49,8 +49,8 @@ void add_ellipse(const std::string& id, const LevelPose& T_map_body,
 
 }  // namespace
 
-UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
-                                   const RobotLayer& robot)
+UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame,
+                                   const AnchoredPath& path, const RobotLayer& robot)
     : board_(board), frame_(frame), path_(path), robot_(robot) {
   topic_ = board.add(
       protobuf_topic("/uncertainty", *foxglove::SceneUpdate::descriptor(), kUncertaintyPeriodUs),
@@ -60,7 +60,7 @@ UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame, con
 void UncertaintyLayer::add_correction(const MapCorrection& correction) {
   board_.set_changed(topic_, correction.utime);
   if (path_.poses().empty() || places_.size() >= kPlacesMax) return;
-  const DrivenPath::Pose& pose = path_.poses().back();
+  const AnchoredPath::Pose& pose = path_.poses().back();
   if (!places_.empty() && pose.distance_m < places_.back().distance_m + kSpacingM) return;
   places_.push_back(
       {pose.anchored, pose.distance_m, correction.body_covariance, correction.z_variance});

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Layers of places: hazards with their values, frontiers, 3D scans. A click selects them; zoomed in, each has its number. */
-import { frontiersOf, hazardsOf } from "../../state/scene";
+import { frontiersOf, hazardsOf, valueText } from "../../state/scene";
 import { colour, hazardColour, stateColour } from "../../theme";
 import { entitiesAt, type Layer } from "./layer";
 
@@ -12,7 +12,7 @@ export const kHazards: Layer = {
   key: "hazards", label: "hazards", swatch: "water", on: true,
   draw({ brush, time_s, model, places }) {
     for (const hazard of hazardsOf(model.hazards.at(time_s)?.value ?? [])) {
-      const title = [hazard.kind, hazard.value, hazard.unit].filter(Boolean).join(" ");
+      const title = `${hazard.kind} ${valueText(hazard)}`.trim();
       const fill = hazardColour(hazard.kind);
       const [width, height] = hazard.size.map((size_m) => Math.max(kMinSize_px, size_m * brush.camera.scale)) as [number, number];
       brush.at(hazard.x, hazard.y, hazard.yaw_rad, (context) => {

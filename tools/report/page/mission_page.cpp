@@ -29,19 +29,20 @@ constexpr const char* kScans = "/scans";
 constexpr int kVolumePointsMax = 400'000;
 
 /// What the page keeps of a topic. Transforms and laser scans have intervals of which one divides
-/// the other, so that each scan has a transform of its time. Of the volume the last is enough: its
-/// points name their scan, and so their time. The history has the poses.
+/// the other, so that each scan has a transform of its time. Of the clouds the last are enough: the
+/// points of the volume name their scan, and so their time. The history has the poses.
 TopicRecorder::Limits limits_of(const Topic& topic) {
   static const std::map<std::string_view, TopicRecorder::Limits> kLimits{
       {"/tf", {kSecondUs, 2 * kMegabyte}},
       {"/pose", {kOnceUs, kMegabyte}},
-      {"/laser/front", {2 * kSecondUs, 4 * kMegabyte}},
-      {"/laser/rear", {2 * kSecondUs, 4 * kMegabyte}},
+      {"/laser/front", {4 * kSecondUs, kMegabyte}},
+      {"/laser/rear", {4 * kSecondUs, kMegabyte}},
       {"/map", {30 * kSecondUs, 48 * kMegabyte}},
-      {"/cloud", {30 * kSecondUs, 3 * kMegabyte}},
+      {"/cloud", {kOnceUs, kMegabyte}},
       {"/volume", {kOnceUs, kMegabyte}},
-      {"/trajectory", {30 * kSecondUs, 4 * kMegabyte}},
+      {"/trajectory", {120 * kSecondUs, kMegabyte}},
       {"/path", {2 * kSecondUs, 2 * kMegabyte}},
+      {"/uncertainty", {60 * kSecondUs, kMegabyte}},
       {"/graph", {60 * kSecondUs, 6 * kMegabyte}},
       {"/mission", {2 * kSecondUs, 4 * kMegabyte}}};
   constexpr TopicRecorder::Limits kOther{10 * kSecondUs, 3 * kMegabyte};

@@ -6,11 +6,13 @@ import { colour, hazardColour, stateColour } from "../../theme";
 import { entitiesAt, type Layer } from "./layer";
 
 const kMinSize_px = 6;
+/** Written on the map only when zoomed in; there are many of them, beside every wall. */
+const kCommonHazards = ["step", "low roof", "slope"];
 const kFrontierCorners: [number, number][] = [[9, 0], [-5, 6], [-5, -6]];
 
 export const kHazards: Layer = {
   key: "hazards", label: "hazards", swatch: "water", on: true,
-  draw({ brush, time_s, model, places }) {
+  draw({ brush, time_s, model, isNumbered, places }) {
     for (const hazard of hazardsOf(model.hazards.at(time_s)?.value ?? [])) {
       const title = `${hazard.kind} ${valueText(hazard)}`.trim();
       const fill = hazardColour(hazard.kind);
@@ -24,7 +26,7 @@ export const kHazards: Layer = {
         context.strokeRect(-width / 2, -height / 2, width, height);
       });
       places.push({ x: hazard.x, y: hazard.y, title, text: hazard.evidence });
-      brush.text(hazard.x, hazard.y, title, fill, 0);
+      if (isNumbered || !kCommonHazards.includes(hazard.kind)) brush.text(hazard.x, hazard.y, title, fill, kCommonHazards.includes(hazard.kind) ? 3 : 0);
     }
   },
 };

@@ -20,13 +20,12 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
-constexpr std::int64_t kOnceUs = 1000LL * 24 * 3600 * kSecondUs;
 constexpr std::size_t kMegabyte = 1'000'000;
 constexpr std::int64_t kStepUs = kSecondUs / 10;
 
 constexpr const char* kScans = "/scans";
 /// Of points in /volume, which are the largest part of the page and hardly compressible.
-constexpr int kVolumePointsMax = 400'000;
+constexpr int kVolumePointsMax = 300'000;
 
 /// What the page keeps of a topic. Transforms and laser scans have intervals of which one divides
 /// the other, so that each scan has a transform of its time. Of the clouds the last are enough: the
@@ -34,12 +33,12 @@ constexpr int kVolumePointsMax = 400'000;
 TopicRecorder::Limits limits_of(const Topic& topic) {
   static const std::map<std::string_view, TopicRecorder::Limits> kLimits{
       {"/tf", {kSecondUs, 2 * kMegabyte}},
-      {"/pose", {kOnceUs, kMegabyte}},
+      {"/pose", {TopicRecorder::kAtEnd, kMegabyte}},
       {"/laser/front", {4 * kSecondUs, kMegabyte}},
       {"/laser/rear", {4 * kSecondUs, kMegabyte}},
       {"/map", {30 * kSecondUs, 48 * kMegabyte}},
-      {"/cloud", {kOnceUs, kMegabyte}},
-      {"/volume", {kOnceUs, kMegabyte}},
+      {"/cloud", {TopicRecorder::kAtEnd, kMegabyte}},
+      {"/volume", {TopicRecorder::kAtEnd, kMegabyte}},
       {"/trajectory", {120 * kSecondUs, kMegabyte}},
       {"/path", {2 * kSecondUs, 2 * kMegabyte}},
       {"/uncertainty", {60 * kSecondUs, kMegabyte}},

@@ -19,6 +19,7 @@ if [[ -e $out/run.lcmlog ]]; then
   echo "$out exists already; name another folder" >&2
   exit 2
 fi
+echo "The robot can be watched while it drives: open the address of the live view in a browser."
 "$adit" mission mathies --out "$out"
 
 cat <<EOF
@@ -32,7 +33,8 @@ The results are in $out:
   junctions.geojson            corridors, junctions, frontiers
   summary.json                 figures of the mission
   phases.tsv                   phases of the mission, with reasons
-  run.lcmlog                   every message, for adit spy and lcm-logplayer
+  run.lcmlog                   every message, for adit view, adit spy and lcm-logplayer
+  viewer.log                   output of adit-viewer
   *.journal                    state for adit mission --resume
   *.yaml, processes.cfg        the mine, and the configuration of all processes
 EOF

@@ -8,6 +8,10 @@
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "viewer/view/live_view.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
@@ -17,8 +21,6 @@
 #include "common/files/file_utils.hpp"
 #include "common/service/service_manager.hpp"
 #include "common/text/message_text.hpp"
-#include "viewer/view/live_view.hpp"
-#include "viewer/view/viewer_options.hpp"
 
 namespace {
 
@@ -49,6 +51,12 @@ void declare(CLI::App& app, Options& options) {
   app.set_version_flag("--version", fmt::format("{} {}", kProgram, adit::version()));
 }
 
+/// The stages come first: whatever the viewer has to do can wait.
+void lower_priority() {
+  constexpr int kLowPriority = 10;
+  setpriority(PRIO_PROCESS, 0, kLowPriority);  // optional: errors are ignored
+}
+
 void run(const Options& options) {
   adit::ViewerOptions view;
   view.parameters = adit::load_viewer_parameters(options.config);
@@ -59,6 +67,7 @@ void run(const Options& options) {
     std::cout << adit::to_yaml(view.parameters, adit::kViewerSection);
     return;
   }
+  lower_priority();
   const adit::StopSignal stop;  // before LCM starts its thread
   adit::run_live_view(view, options.lcm_url, std::nullopt, stop, [&](std::uint16_t port) {
     std::cout << adit::browser_address(view.parameters.address, port) << "\n" << std::flush;

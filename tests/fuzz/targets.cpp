@@ -194,6 +194,7 @@ std::vector<Target> all_targets() {
   targets.push_back(process_list_target());
   for (Target& target : world_targets()) targets.push_back(std::move(target));
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
+  for (Target& target : viewer_targets()) targets.push_back(std::move(target));
   return targets;
 }
 

@@ -32,6 +32,7 @@ Target octree_target();
 Target process_list_target();
 std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
+std::vector<Target> viewer_targets();
 
 /// All targets of all groups.
 std::vector<Target> all_targets();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/records/event_record.hpp"
 #include "common/sensing/seconds.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
@@ -16,7 +17,6 @@
 #include "tools/map/doubt_list.hpp"
 #include "tools/map/summary.hpp"
 #include "tools/report/mission_map.hpp"
-#include "common/records/event_record.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/phase_record.hpp"
 #include "tools/report/records/scan_record.hpp"

@@ -7,6 +7,7 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/grid/grid2.hpp"
+#include "common/grid/occupancy_grid.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/local_map.hpp"
 #include "common/types/terrain_map.hpp"
@@ -30,6 +31,8 @@ struct MapRaster {
   [[nodiscard]] std::size_t bytes() const { return cells.size() * sizeof(Cell); }
 };
 
+/// What a grid shows, in its frame; counts of one cell are limited to 255.
+MapRaster rasterised(const OccupancyGrid& grid);
 /// The scans of a local map, in its frame.
 MapRaster rasterised(const LocalMap& map, const Lasers& lasers, double cell_m);
 /// The ground that a 3D scan observed, in the frame level.

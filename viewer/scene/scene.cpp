@@ -10,6 +10,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
 
 namespace adit {
@@ -51,24 +52,23 @@ Scene::Scene(Bus& bus, TopicBoard& board, const SceneParameters& parameters)
 }
 
 void Scene::subscribe_map() {
-  map_subscription_.subscribe(
-      bus_, {.on_local_map =
-                 [this](const LocalMap& map) {
-                   frame_.add_local_map(map);
-                   map_.add_local_map(map, robot_.lasers());
-                 },
-             .on_graph =
-                 [this](MapGraph graph) {
-                   const std::int64_t utime = graph.utime;
-                   frame_.set_graph(std::move(graph));
-                   on_graph(utime);
-                 },
-             .on_association =
-                 [this](const Association& association) {
-                   graph_.add_association(association);
-                   events_.add_association(association);
-                 },
-             .on_contradictions = [](const MapContradictions&) {}});
+  map_subscription_.subscribe(bus_, {.on_local_map =
+                                         [this](const LocalMap& map) {
+                                           frame_.add_local_map(map);
+                                           map_.add_local_map(map, robot_.lasers());
+                                         },
+                                     .on_graph =
+                                         [this](MapGraph graph) {
+                                           const std::int64_t utime = graph.utime;
+                                           frame_.set_graph(std::move(graph));
+                                           on_graph(utime);
+                                         },
+                                     .on_association =
+                                         [this](const Association& association) {
+                                           graph_.add_association(association);
+                                           events_.add_association(association);
+                                         },
+                                     .on_contradictions = [](const MapContradictions&) {}});
   subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::latest(),
                               [this](const MapCorrection& correction) {
                                 frame_.set_correction(correction);
@@ -86,7 +86,16 @@ void Scene::on_graph(std::int64_t utime) {
   history_.update_poses();
 }
 
+void Scene::on_match(const ScanMatch& match) {
+  const auto laser = laser_from_channel(match.channel);
+  if (!laser || robot_.scan(*laser).utime != match.utime) return;
+  const Lasers& lasers = robot_.lasers();
+  map_.add_scan(match, robot_.scan(*laser), *laser == LaserId::kFront ? lasers.front : lasers.rear);
+}
+
 void Scene::subscribe_path() {
+  subscribe<scan_match_t>(bus_, channels::kScanMatch, Delivery::latest(),
+                          [this](const ScanMatch& match) { on_match(match); });
   subscribe<pose_t>(bus_, channels::kPose, Delivery::queued(kPosesQueued),
                     [this](const StampedPose& pose) {
                       if (path_.add(pose)) paths_.set_changed(pose.utime);

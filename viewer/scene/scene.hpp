@@ -4,11 +4,7 @@
 
 #include <cstdint>
 
-#include "common/bus/bus.hpp"
-#include "common/bus/map_subscription.hpp"
-#include "common/messages/mapping/cloud.hpp"
-#include "common/messages/mapping/terrain.hpp"
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/layers/cloud_layer.hpp"
 #include "viewer/scene/layers/event_layer.hpp"
 #include "viewer/scene/layers/frontier_layer.hpp"
@@ -25,6 +21,11 @@
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/topic_board.hpp"
+
+#include "common/bus/bus.hpp"
+#include "common/bus/map_subscription.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/terrain.hpp"
 
 namespace adit {
 
@@ -46,6 +47,8 @@ class Scene {
   void subscribe_path();
   void subscribe_scans();
   void on_graph(std::int64_t utime);
+  /// Of the newest scan of a laser.
+  void on_match(const ScanMatch& match);
 
   Bus& bus_;
   const SceneParameters parameters_;
@@ -55,7 +58,7 @@ class Scene {
   TerrainReassembler terrain_fragments_;
   int scan_ = 0;  ///< number of the newest 3D scan
   MapFrame frame_;
-  DrivenPath path_{frame_};
+  AnchoredPath path_{frame_};
   RobotLayer robot_;
   MapLayer map_;
   CloudLayer clouds_;

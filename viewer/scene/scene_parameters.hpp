@@ -10,11 +10,11 @@ namespace adit {
 
 /// Parameters of what the viewer shows.
 struct SceneParameters {
-  double map_cell_m = 0.1;              ///< of /map; larger for a map of more than map_cells_max
-  int map_cells_max = 16'000'000;       ///< of /map
-  int volume_points_max = 1'000'000;    ///< of /volume
-  double volume_cell_m = 0.1;           ///< one point of a 3D scan for each; larger for long missions
-  Lasers lasers;                        ///< until a CONFIG states those of the robot
+  double map_cell_m = 0.1;            ///< of /map; larger for a map of more than map_cells_max
+  int map_cells_max = 16'000'000;     ///< of /map
+  int volume_points_max = 1'000'000;  ///< of /volume
+  double volume_cell_m = 0.1;         ///< one point of a 3D scan for each; larger for long missions
+  Lasers lasers;                      ///< until a CONFIG states those of the robot
   Vehicle vehicle;
 
   template <class V>

@@ -36,8 +36,8 @@ Topic protobuf_topic(const std::string& name, const protobuf::Descriptor& type,
           .encoding = "protobuf",
           .schema_name = type.full_name(),
           .schema_encoding = "protobuf",
-          .schema = base64(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()),
-                                     bytes.size())),
+          .schema =
+              base64(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size())),
           .period_us = period_us};
 }
 

@@ -94,7 +94,7 @@ class ViewerServer::Implementation {
   }
   void publish(TopicId topic, const TopicMessage& message);
   void publish_time(std::int64_t time_ns);
-  void publish_binary(const std::string& bytes);
+  void publish_playback_state(const std::string& bytes);
   [[nodiscard]] bool has_subscriber(TopicId topic) const { return subscribers_.at(topic) > 0; }
   [[nodiscard]] std::size_t clients() const { return clients_.size(); }
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -133,7 +133,8 @@ class ViewerServer::Implementation::Client : public std::enable_shared_from_this
 
   void send(TopicId topic, const TopicMessage& message);
   void send_time(std::int64_t time_ns);
-  void send_binary(const std::string& bytes);
+  /// Nothing to a client of a subprotocol without playback.
+  void send_playback_state(const std::string& bytes);
 
  private:
   void read();
@@ -155,6 +156,7 @@ class ViewerServer::Implementation::Client : public std::enable_shared_from_this
   std::map<std::uint32_t, TopicId> topics_;         ///< by subscription
   std::map<TopicId, std::uint32_t> subscriptions_;  ///< by topic
   bool open_ = false;
+  bool knows_playback_ = false;
 };
 
 ViewerServer::Implementation::Client::~Client() {
@@ -165,6 +167,7 @@ ViewerServer::Implementation::Client::~Client() {
 
 void ViewerServer::Implementation::Client::accept(const http::request<http::empty_body>& request,
                                                   std::string_view subprotocol) {
+  knows_playback_ = subprotocol == foxglove_protocol::kSubprotocols[0];
   beast::get_lowest_layer(socket_).expires_never();
   socket_.set_option(websocket::stream_base::timeout{
       .handshake_timeout = kRequestTimeout,
@@ -224,7 +227,8 @@ void ViewerServer::Implementation::Client::send_time(std::int64_t time_ns) {
   write();
 }
 
-void ViewerServer::Implementation::Client::send_binary(const std::string& bytes) {
+void ViewerServer::Implementation::Client::send_playback_state(const std::string& bytes) {
+  if (!knows_playback_) return;
   outbox_.push_binary(bytes);
   write();
 }
@@ -296,7 +300,7 @@ void ViewerServer::Implementation::Client::handle(
   if (!server_.handlers_.on_playback) return warn("playback cannot be controlled");
   foxglove_protocol::PlaybackState state = server_.handlers_.on_playback(request);
   state.request_id = request.request_id;
-  send_binary(foxglove_protocol::playback_state_message(state));
+  send_playback_state(foxglove_protocol::playback_state_message(state));
 }
 
 void ViewerServer::Implementation::Client::handle(const foxglove_protocol::Unsupported& request) {
@@ -441,8 +445,8 @@ void ViewerServer::Implementation::publish_time(std::int64_t time_ns) {
   for (Client* const client : clients_) client->send_time(time_ns);
 }
 
-void ViewerServer::Implementation::publish_binary(const std::string& bytes) {
-  for (Client* const client : clients_) client->send_binary(bytes);
+void ViewerServer::Implementation::publish_playback_state(const std::string& bytes) {
+  for (Client* const client : clients_) client->send_playback_state(bytes);
 }
 
 ViewerServer::ViewerServer(const ViewerServerOptions& options,
@@ -460,7 +464,7 @@ void ViewerServer::publish(TopicId topic, const TopicMessage& message) {
 }
 void ViewerServer::publish_time(std::int64_t time_ns) { implementation_->publish_time(time_ns); }
 void ViewerServer::publish_playback_state(const foxglove_protocol::PlaybackState& state) {
-  implementation_->publish_binary(foxglove_protocol::playback_state_message(state));
+  implementation_->publish_playback_state(foxglove_protocol::playback_state_message(state));
 }
 bool ViewerServer::has_subscriber(TopicId topic) const {
   return implementation_->has_subscriber(topic);

@@ -67,6 +67,7 @@ class ViewerServer {
   /// Queues a message for all subscribers.
   void publish(TopicId topic, const TopicMessage& message);
   void publish_time(std::int64_t time_ns);
+  /// To clients of foxglove.sdk.v1; the older subprotocol has no playback.
   void publish_playback_state(const foxglove_protocol::PlaybackState& state);
 
   [[nodiscard]] bool has_subscriber(TopicId topic) const;

@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "common/bus/lcm_bus.hpp"
 #include "viewer/scene/scene.hpp"
 #include "viewer/server/topic_board.hpp"
 #include "viewer/view/topic_server.hpp"
+
+#include "common/bus/lcm_bus.hpp"
 
 namespace adit {
 namespace {
@@ -35,13 +36,12 @@ void run_live_view(const ViewerOptions& options, const std::string& lcm_url,
   TopicBoard board;
   const Scene scene(bus, board, options.parameters.scene);
   std::optional<OrderService> order_service;
-  foxglove_protocol::ServerInfo info{
-      .name = "adit-viewer",
-      .capabilities = {"time"},
-      .metadata = {{"source", "live"},
-                   {"title", options.title},
-                   {"orders", orders ? "true" : "false"}},
-      .session = new_session()};
+  foxglove_protocol::ServerInfo info{.name = "adit-viewer",
+                                     .capabilities = {"time"},
+                                     .metadata = {{"source", "live"},
+                                                  {"title", options.title},
+                                                  {"orders", orders ? "true" : "false"}},
+                                     .session = new_session()};
   std::vector<foxglove_protocol::Service> services;
   ViewerServer::Handlers handlers;
   if (orders) {

@@ -7,10 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "common/bus/node/stop_signal.hpp"
-#include "common/bus/order_seal.hpp"
 #include "viewer/view/order_service.hpp"
 #include "viewer/view/viewer_options.hpp"
+
+#include "common/bus/node/stop_signal.hpp"
+#include "common/bus/order_seal.hpp"
 
 namespace adit {
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/bus/log/lcm_log.hpp"
+#include "common/messages/fields/quantities.hpp"
 #include "common/text/message_text.hpp"
 
 namespace adit {
@@ -29,14 +30,15 @@ LogPlayer::LogPlayer(const std::vector<std::filesystem::path>& logs,
     : parameters_(parameters) {
   for (const auto& path : logs) {
     logs_.push_back(std::make_unique<LogFile>(path));
-    const auto events = logs_.back()->events();
-    events_.insert(events_.end(), events.begin(), events.end());
+    for (const LogEventView& event : logs_.back()->events()) {
+      if (is_plausible_utime(event.utime)) events_.push_back(event);
+    }
   }
   if (events_.empty())
-    throw std::runtime_error(fmt::format("no message in {}", logs.empty() ? "no log" : quote(logs.front().string())));
-  std::stable_sort(
-      events_.begin(), events_.end(),
-      [](const LogEventView& a, const LogEventView& b) { return a.utime < b.utime; });
+    throw std::runtime_error(
+        fmt::format("no message in {}", logs.empty() ? "no log" : quote(logs.front().string())));
+  std::stable_sort(events_.begin(), events_.end(),
+                   [](const LogEventView& a, const LogEventView& b) { return a.utime < b.utime; });
   restart();
   now_utime_ = from_utime_ = time_range().first;
 }
@@ -55,8 +57,8 @@ void LogPlayer::restart() {
 
 PlaybackState LogPlayer::control(const PlaybackControl& control, std::int64_t wall_us) {
   const auto [first, last] = time_range();
-  from_utime_ = control.seek_ns ? std::clamp(*control.seek_ns / 1000, first, last)
-                                : std::min(target_utime(wall_us), last);
+  from_utime_ =
+      control.seek_ns ? std::clamp(*control.seek_ns / 1000, first, last) : target_utime(wall_us);
   if (!control.seek_ns && behind_) from_utime_ = std::max(now_utime_, first);
   from_wall_us_ = wall_us;
   playing_ = control.play;
@@ -69,7 +71,7 @@ PlaybackState LogPlayer::control(const PlaybackControl& control, std::int64_t wa
 
 PlaybackState LogPlayer::state() const {
   const bool ended = next_ == events_.size();
-  const PlaybackStatus status = behind_    ? PlaybackStatus::kBuffering
+  const PlaybackStatus status = behind_     ? PlaybackStatus::kBuffering
                                 : !playing_ ? PlaybackStatus::kPaused
                                 : ended     ? PlaybackStatus::kEnded
                                             : PlaybackStatus::kPlaying;
@@ -78,13 +80,16 @@ PlaybackState LogPlayer::state() const {
 
 std::int64_t LogPlayer::target_utime(std::int64_t wall_us) const {
   if (!playing_ || from_wall_us_ == 0) return from_utime_;
-  return from_utime_ +
-         static_cast<std::int64_t>(speed_ * static_cast<double>(wall_us - from_wall_us_));
+  const double played_us = speed_ * static_cast<double>(wall_us - from_wall_us_);
+  const std::int64_t left_us = time_range().second - from_utime_;
+  return played_us < static_cast<double>(left_us)
+             ? from_utime_ + static_cast<std::int64_t>(played_us)
+             : time_range().second;
 }
 
 bool LogPlayer::advance(std::int64_t wall_us) {
   if (from_wall_us_ == 0) from_wall_us_ = wall_us;
-  const std::int64_t target = std::min(target_utime(wall_us), time_range().second);
+  const std::int64_t target = target_utime(wall_us);
   const bool back = target < now_utime_;
   if (back) restart();
   play_until(target);

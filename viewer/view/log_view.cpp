@@ -44,9 +44,11 @@ void run_log_view(const ViewerOptions& options, const std::vector<std::filesyste
                      }});
   on_ready(server.port());
   std::int64_t state_us = 0;
+  bool begun = false;  // by the first client
   while (!stop.received()) {
     const std::int64_t now_us = steady_us();
-    if (player.advance(now_us)) server.show(player.board());
+    begun = begun || server.clients() > 0;
+    if (begun && player.advance(now_us)) server.show(player.board());
     server.poll(player.now_utime());
     if (now_us >= state_us + kStatePeriodUs) {
       state_us = now_us;

@@ -7,8 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "common/bus/node/stop_signal.hpp"
 #include "viewer/view/viewer_options.hpp"
+
+#include "common/bus/node/stop_signal.hpp"
 
 namespace adit {
 

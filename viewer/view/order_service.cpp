@@ -3,12 +3,11 @@
 #include "viewer/view/order_service.hpp"
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <map>
 #include <system_error>
 #include <utility>
-
-#include <cerrno>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,16 +75,17 @@ OrderService::OrderService(Bus& bus, std::string token, ControlProcess control_p
 
 std::vector<foxglove_protocol::Service> OrderService::services() {
   const char* const answer = R"({"type":"object"})";
-  return {{.id = kOrderId,
-           .name = "adit/order",
-           .request_schema =
-               R"({"type":"object","properties":{"token":{"type":"string"},"order":{"enum":["pause","resume","return_home","stop"]}}})",
-           .response_schema = answer},
-          {.id = kProcessId,
-           .name = "adit/process",
-           .request_schema =
-               R"({"type":"object","properties":{"token":{"type":"string"},"process":{"type":"string"},"action":{"enum":["start","stop","restart"]}}})",
-           .response_schema = answer}};
+  return {
+      {.id = kOrderId,
+       .name = "adit/order",
+       .request_schema =
+           R"({"type":"object","properties":{"token":{"type":"string"},"order":{"enum":["pause","resume","return_home","stop"]}}})",
+       .response_schema = answer},
+      {.id = kProcessId,
+       .name = "adit/process",
+       .request_schema =
+           R"({"type":"object","properties":{"token":{"type":"string"},"process":{"type":"string"},"action":{"enum":["start","stop","restart"]}}})",
+       .response_schema = answer}};
 }
 
 Result<std::string> OrderService::call(const foxglove_protocol::ServiceCall& call) {
@@ -110,8 +110,7 @@ Result<std::string> OrderService::order(const std::string& name) {
 /// Until PHASE confirms it, as a message may be lost.
 void OrderService::repeat() {
   if (!pending_) return;
-  const bool executed =
-      pending_->repetitions > 0 && phase_ && is_executed(pending_->kind, *phase_);
+  const bool executed = pending_->repetitions > 0 && phase_ && is_executed(pending_->kind, *phase_);
   if (executed || pending_->repetitions++ >= kRepetitionsMax) return pending_.reset();
   publish(bus_, channels::kMissionOrder, to_message(MissionOrder{wall_utime(), pending_->kind}));
 }

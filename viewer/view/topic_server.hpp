@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "viewer/server/protocol.hpp"
 #include "viewer/server/topic_board.hpp"
@@ -30,6 +32,7 @@ class TopicServer {
   void publish_playback_state(const foxglove_protocol::PlaybackState& state) {
     server_.publish_playback_state(state);
   }
+  [[nodiscard]] std::size_t clients() const { return server_.clients(); }
   [[nodiscard]] std::uint16_t port() const { return server_.port(); }
 
  private:

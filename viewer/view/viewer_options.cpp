@@ -13,7 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPageFile = "viewer/page/dist/page.html";  // in the source tree
 constexpr const char* kWithoutPage =
     R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Adit viewer</title>
 <p>The page of the viewer is not built (viewer/page/README.md). Foxglove and Lichtblick can connect to this
@@ -22,7 +21,7 @@ address: open a connection of kind "Foxglove WebSocket".</p></html>)";
 }  // namespace
 
 ViewerServerOptions server_options(const ViewerOptions& options) {
-  const fs::path page = find_installed_file(kPageFile, "viewer");
+  const fs::path page = find_installed_file("page.html", "viewer");
   return {.address = options.parameters.address,
           .port = static_cast<std::uint16_t>(options.parameters.port),
           .listening_socket = options.listening_socket,

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "common/config/bounds.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/viewer_server.hpp"
+
+#include "common/config/bounds.hpp"
 
 namespace adit {
 

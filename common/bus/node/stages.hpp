@@ -24,8 +24,8 @@ inline constexpr const char* kSimSection = "sim";
 /// The section of the viewer, a process that is not a stage.
 inline constexpr const char* kViewerSection = "viewer";
 
-/// All sections of the configuration file: those of the stages, the shared ones, the simulator's and
-/// the viewer's.
+/// All sections of the configuration file: those of the stages, the shared ones, the simulator's
+/// and the viewer's.
 inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);

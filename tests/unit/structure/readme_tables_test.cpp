@@ -156,6 +156,11 @@ std::map<std::string, Traffic> traffic_by_participant() {
       add_traffic(text, Mentions::kNeedACall, traffic[kEveryStage]);
     } else if (file == "sim/sim_node.cpp" || file.starts_with("sim/live/")) {
       add_traffic(text, Mentions::kNeedACall, traffic["sim"]);
+    } else if (file == "common/bus/map_subscription.cpp" || file.starts_with("common/records/")) {
+      for (const char* user : {"tools", "viewer"})
+        add_traffic(text, Mentions::kNeedACall, traffic[user]);
+    } else if (file.starts_with("viewer/")) {
+      add_traffic(text, Mentions::kNeedACall, traffic["viewer"]);
     } else if (file.starts_with("tools/") || file == "sim/waypoint_driver_node.cpp") {
       add_traffic(text, Mentions::kNeedACall, traffic["tools"]);
     }

@@ -25,8 +25,9 @@ constexpr std::int64_t kStartUs = 1'700'000'000'000'000;
 class OrderServiceTest : public testing::Test {
  protected:
   OrderServiceTest() {
-    subscribe<mission_order_t>(bus_, channels::kMissionOrder, Delivery::queued(100),
-                               [this](const MissionOrder& order) { orders_.push_back(order.kind); });
+    subscribe<mission_order_t>(
+        bus_, channels::kMissionOrder, Delivery::queued(100),
+        [this](const MissionOrder& order) { orders_.push_back(order.kind); });
     bus_.advance_to(kStartUs);
   }
 
@@ -50,9 +51,9 @@ class OrderServiceTest : public testing::Test {
 
 TEST_F(OrderServiceTest, TakesNoOrderWithoutTheToken) {
   for (const char* payload :
-       {R"({"order":"stop"})", R"({"order":"stop","token":""})", R"({"order":"stop","token":"secre"})",
-        R"({"order":"stop","token":"secreT"})", R"({"order":"stop","token":["secret"]})", "[]", "{",
-        ""}) {
+       {R"({"order":"stop"})", R"({"order":"stop","token":""})",
+        R"({"order":"stop","token":"secre"})", R"({"order":"stop","token":"secreT"})",
+        R"({"order":"stop","token":["secret"]})", "[]", "{", ""}) {
     EXPECT_FALSE(call("adit/order", payload)) << payload;
   }
   EXPECT_FALSE(call("adit/process", R"({"action":"stop","process":"guard","token":"x"})"));
@@ -83,8 +84,7 @@ TEST_F(OrderServiceTest, TakesTheOrdersOfTheCommandOnly) {
 }
 
 TEST_F(OrderServiceTest, ControlsProcesses) {
-  EXPECT_TRUE(
-      call("adit/process", R"({"token":"secret","action":"restart","process":"mapping"})"));
+  EXPECT_TRUE(call("adit/process", R"({"token":"secret","action":"restart","process":"mapping"})"));
   EXPECT_FALSE(call("adit/process", R"({"token":"secret","action":"kill","process":"mapping"})"));
   const auto failed =
       call("adit/process", R"({"token":"secret","action":"stop","process":"unknown"})");

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <map>
 #include <numbers>
 #include <string>
@@ -155,8 +157,7 @@ TEST_F(SceneTest, PlacesTheRobotInMap) {
   std::vector<std::string> frames;
   for (const auto& transform : tf.transforms())
     frames.push_back(transform.parent_frame_id() + ">" + transform.child_frame_id());
-  EXPECT_THAT(frames,
-              ElementsAre("map>odom", "odom>body", "body>laser_front", "body>laser_rear"));
+  EXPECT_THAT(frames, ElementsAre("map>odom", "odom>body", "body>laser_front", "body>laser_rear"));
 }
 
 TEST_F(SceneTest, SendsLaserScansAsTheyAre) {
@@ -191,13 +192,30 @@ TEST_F(SceneTest, MovesTheMapWithThePoseGraph) {
   send_object(channels::kPoseGraph, graph_of(kStartUs, {{0.0, 0.0, 0.0}}));
   newest("/map");
   // Turned to the left by a right angle and moved: the tunnel runs along y at x = 10.
-  send_object(channels::kPoseGraph,
-              graph_of(kStartUs + 1, {{10.0, 0.0, 0.5 * std::numbers::pi}}));
+  send_object(channels::kPoseGraph, graph_of(kStartUs + 1, {{10.0, 0.0, 0.5 * std::numbers::pi}}));
   const auto grid = newest_of<foxglove::Grid>("/map");
   EXPECT_GE(cell_at(grid, 8.0, 2.55).occupancy, 65);
   EXPECT_GE(cell_at(grid, 12.0, 2.55).occupancy, 65);
   EXPECT_LT(cell_at(grid, 10.0, 2.55).occupancy, 10);
   EXPECT_EQ(cell_at(grid, 2.5, 2.0).occupancy, 255);
+}
+
+TEST_F(SceneTest, DrawsScansThatAreNotInALocalMapYet) {
+  for (int i = 0; i <= 20; ++i) {
+    const std::int64_t utime = kStartUs + 100'000 * i;
+    send(channels::kLaserFront, tunnel_scan(utime, 2.0));
+    ScanMatch match;
+    match.utime = utime;
+    match.reference_utime = kStartUs - 1;
+    match.odom_epoch_utime = kStartUs - 1;
+    match.channel = channels::kLaserFront;
+    match.status = ScanMatch::Status::kMatched;
+    match.T_odom_body = {0.1 * i, 0.0, 0.0};
+    send(channels::kScanMatch, match);
+  }
+  const auto grid = newest_of<foxglove::Grid>("/map");
+  EXPECT_GE(cell_at(grid, 2.0, 2.0).occupancy, 65);
+  EXPECT_LT(cell_at(grid, 2.0, 0.05).occupancy, 10);
 }
 
 TEST_F(SceneTest, MarksWhatWasDrivenAndScanned) {
@@ -212,11 +230,10 @@ TEST_F(SceneTest, MarksWhatWasDrivenAndScanned) {
   for (TerrainCell& cell : terrain.cells) cell.ground = Ground::kObserved;
   send_object(channels::kTerrain, terrain);
   for (int i = 0; i <= 20; ++i) {
-    send(channels::kPose, StampedPose{.utime = kStartUs + 100'000 * i,
-                                      .T_odom_body = {0.1 * i, 0.0, 0.0},
-                                      .v_body = {}});
+    send(channels::kPose,
+         StampedPose{
+             .utime = kStartUs + 100'000 * i, .T_odom_body = {0.1 * i, 0.0, 0.0}, .v_body = {}});
   }
-  scene_.now_utime();
   const auto grid = newest_of<foxglove::Grid>("/map");
   EXPECT_EQ(cell_at(grid, 1.5, 0.05).coverage, 3);
   EXPECT_EQ(cell_at(grid, 1.5, 1.25).coverage, 2);
@@ -232,9 +249,9 @@ TEST_F(SceneTest, SendsThePathDrivenAndTheOnePlanned) {
       phase.returning_home = true;
       send(channels::kPhase, phase);
     }
-    send(channels::kPose, StampedPose{.utime = kStartUs + 100'000 * i,
-                                      .T_odom_body = {0.2 * i, 0.0, 0.0},
-                                      .v_body = {}});
+    send(channels::kPose,
+         StampedPose{
+             .utime = kStartUs + 100'000 * i, .T_odom_body = {0.2 * i, 0.0, 0.0}, .v_body = {}});
   }
   const auto trajectory = newest_of<foxglove::SceneUpdate>("/trajectory");
   ASSERT_EQ(trajectory.entities_size(), 2);
@@ -302,8 +319,11 @@ TEST_F(SceneTest, DrawsTheGraphWithRevokedLoopClosures) {
 
   association.chosen = 0;
   send(channels::kAssociation, association);
-  for (const auto& entity : newest_of<foxglove::SceneUpdate>("/graph").entities()) {
-    if (entity.id() == "revoked") EXPECT_EQ(entity.lines(0).points_size(), 0);
+  const auto later = newest_of<foxglove::SceneUpdate>("/graph");
+  for (const auto& entity : later.entities()) {
+    if (entity.id() == "revoked") {
+      EXPECT_EQ(entity.lines(0).points_size(), 0);
+    }
   }
 }
 
@@ -335,7 +355,8 @@ TEST_F(SceneTest, NamesStateAndEvidenceOfFrontiers) {
 }
 
 TEST_F(SceneTest, JoinsObservationsOfOneHazard) {
-  send(channels::kPose, StampedPose{.utime = kStartUs, .T_odom_body = {5.0, 0.0, 0.0}, .v_body = {}});
+  send(channels::kPose,
+       StampedPose{.utime = kStartUs, .T_odom_body = {5.0, 0.0, 0.0}, .v_body = {}});
   PlannedPath path;
   path.utime = kStartUs;
   path.outcome = PlanOutcome::kBlocked;
@@ -352,7 +373,8 @@ TEST_F(SceneTest, JoinsObservationsOfOneHazard) {
   send(channels::kSinkage, SinkageReading{.utime = kStartUs, .depth_m = {0.0, 0.12, 0.0, 0.0}});
 
   std::map<std::string, std::string> values;
-  for (const auto& entity : newest_of<foxglove::SceneUpdate>("/hazards").entities()) {
+  const auto hazards = newest_of<foxglove::SceneUpdate>("/hazards");
+  for (const auto& entity : hazards.entities()) {
     std::map<std::string, std::string> metadata;
     for (const auto& pair : entity.metadata()) metadata[pair.key()] = pair.value();
     values[metadata["kind"]] = metadata["value"] + metadata["unit"];
@@ -361,8 +383,9 @@ TEST_F(SceneTest, JoinsObservationsOfOneHazard) {
       EXPECT_NEAR(entity.cubes(0).size().y(), 1.0, 1e-9);
     }
   }
-  EXPECT_THAT(values, ElementsAre(testing::Pair("methane", "1.30%"), testing::Pair("mud", "0.12m"),
-                                  testing::Pair("step", "0.39m"), testing::Pair("water", testing::_)));
+  EXPECT_THAT(values,
+              ElementsAre(testing::Pair("methane", "1.30%"), testing::Pair("mud", "0.12m"),
+                          testing::Pair("step", "0.39m"), testing::Pair("water", testing::_)));
 }
 
 /// A scan of a floor at z = 0 and a roof at z = 2.
@@ -456,9 +479,9 @@ TEST_F(SceneTest, AddsThePlansOfAScanToItsCard) {
 }
 
 TEST_F(SceneTest, DrawsTheEllipseOf95PerCent) {
-  send(channels::kPose, StampedPose{.utime = kStartUs,
-                                    .T_odom_body = {1.0, 0.0, 0.5 * std::numbers::pi},
-                                    .v_body = {}});
+  send(channels::kPose,
+       StampedPose{
+           .utime = kStartUs, .T_odom_body = {1.0, 0.0, 0.5 * std::numbers::pi}, .v_body = {}});
   MapCorrection correction;
   correction.utime = kStartUs;
   correction.body_covariance.diagonal() << 0.04, 0.01, 0.001;  // 0.2 m along x of the body
@@ -534,14 +557,15 @@ TEST_F(SceneTest, KeepsARowOfHistoryASecondAndMovesItWithTheGraph) {
   send_object(channels::kLocalMap, tunnel_map(0, kStartUs, {}, 2.0));
   send_object(channels::kPoseGraph, graph_of(kStartUs, {{0.0, 0.0, 0.0}}));
   for (int i = 0; i < 450; ++i) {
-    send(channels::kPose, StampedPose{.utime = kStartUs + 100'000 * i,
-                                      .T_odom_body = {0.01 * i, 0.0, 0.0},
-                                      .v_body = {}});
+    send(channels::kPose,
+         StampedPose{
+             .utime = kStartUs + 100'000 * i, .T_odom_body = {0.01 * i, 0.0, 0.0}, .v_body = {}});
   }
   const auto rows = [this] {
     std::vector<nlohmann::json> all;
     for (const TopicMessage& message : messages("/history")) {
-      for (const auto& row : nlohmann::json::parse(*message.bytes)["rows"]) all.push_back(row);
+      const auto chunk = nlohmann::json::parse(*message.bytes);
+      for (const auto& row : chunk["rows"]) all.push_back(row);
     }
     return all;
   };

@@ -14,6 +14,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "viewer/server/viewer_server.hpp"
+#include "viewer/view/viewer_options.hpp"
+
 #include "common/command_line/command_line.hpp"
 #include "common/text/message_text.hpp"
 #include "sim/live/live_run.hpp"
@@ -23,8 +26,6 @@
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/mission_run.hpp"
 #include "tools/report/report.hpp"
-#include "viewer/server/viewer_server.hpp"
-#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {

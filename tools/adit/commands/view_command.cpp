@@ -13,6 +13,11 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "viewer/server/viewer_server.hpp"
+#include "viewer/view/live_view.hpp"
+#include "viewer/view/log_view.hpp"
+#include "viewer/view/viewer_options.hpp"
+
 #include "common/bus/node/stop_signal.hpp"
 #include "common/command_line/command_line.hpp"
 #include "procs/supervisor/control/control_client.hpp"
@@ -20,10 +25,6 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/private_network.hpp"
-#include "viewer/server/viewer_server.hpp"
-#include "viewer/view/live_view.hpp"
-#include "viewer/view/log_view.hpp"
-#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {
@@ -92,8 +93,8 @@ void run(ViewCommand command) {
   if (!command.mission.empty()) {
     view.title = std::filesystem::absolute(command.mission).filename().string();
     if (is_running(command.mission)) {
-      view.listening_socket = listen_on(view.parameters.address,
-                                        static_cast<std::uint16_t>(view.parameters.port));
+      view.listening_socket =
+          listen_on(view.parameters.address, static_cast<std::uint16_t>(view.parameters.port));
       enter_network_of_mission(command.mission);
       command.supervisor = MissionFolder(command.mission).socket();
     } else {

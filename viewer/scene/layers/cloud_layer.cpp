@@ -8,9 +8,10 @@
 #include <cstring>
 #include <unordered_set>
 
-#include "common/volume/voxel_grid.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
+
+#include "common/volume/voxel_grid.hpp"
 
 namespace adit {
 namespace {
@@ -56,8 +57,8 @@ CloudLayer::CloudLayer(TopicBoard& board, const MapFrame& frame, const ScenePara
       points_max_(static_cast<std::size_t>(parameters.volume_points_max)),
       voxel_m_(parameters.volume_cell_m) {
   const auto& type = *foxglove::PointCloud::descriptor();
-  cloud_topic_ = board.add(protobuf_topic("/cloud", type, kCloudPeriodUs),
-                           [this] { return cloud_message(); });
+  cloud_topic_ =
+      board.add(protobuf_topic("/cloud", type, kCloudPeriodUs), [this] { return cloud_message(); });
   volume_topic_ = board.add(protobuf_topic("/volume", type, kVolumePeriodUs),
                             [this] { return volume_message(); });
 }
@@ -78,9 +79,8 @@ void CloudLayer::add_cloud(const Cloud& cloud, int number) {
 }
 
 void CloudLayer::add_terrain(const TerrainMap& terrain) {
-  const auto scan = std::find_if(scans_.rbegin(), scans_.rend(), [&](const Scan& other) {
-    return other.utime == terrain.utime;
-  });
+  const auto scan = std::find_if(scans_.rbegin(), scans_.rend(),
+                                 [&](const Scan& other) { return other.utime == terrain.utime; });
   if (scan == scans_.rend()) return;
   for (Point& point : scan->points) {
     const Eigen::Vector2d p_plan = point.p_level.head<2>().cast<double>();

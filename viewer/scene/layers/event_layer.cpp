@@ -28,9 +28,9 @@ void EventLayer::add(const MissionEvent& event) {
   using Kind = MissionEvent::Kind;
   const bool stop = event.kind == Kind::kStop;
   const bool fault = event.kind == Kind::kHealth && event.description.starts_with("fault");
-  const Level level = fault                          ? Level::kError
+  const Level level = fault                        ? Level::kError
                       : event.kind == Kind::kOrder ? Level::kInfo
-                                                     : Level::kWarning;
+                                                   : Level::kWarning;
   append(event.utime, level, event.source, (stop ? "STOP: " : "") + event.description);
 }
 

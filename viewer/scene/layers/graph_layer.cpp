@@ -29,22 +29,23 @@ void add_segment(foxglove::LinePrimitive& line, const MapFrame& frame, int from,
 }  // namespace
 
 GraphLayer::GraphLayer(TopicBoard& board, const MapFrame& frame) : board_(board), frame_(frame) {
-  topic_ = board.add(
-      protobuf_topic("/graph", *foxglove::SceneUpdate::descriptor(), kGraphPeriodUs),
-      [this] { return graph_message(); });
+  topic_ = board.add(protobuf_topic("/graph", *foxglove::SceneUpdate::descriptor(), kGraphPeriodUs),
+                     [this] { return graph_message(); });
 }
 
 /// A loop closure may be accepted again later, or with another older map.
 void GraphLayer::add_association(const Association& association) {
-  const LoopClosure& closure = association.loop_closure;
+  const LoopClosure& loop_closure = association.loop_closure;
   const auto previous = static_cast<std::size_t>(association.previously_chosen);
   const bool revoked = association.action == Association::Action::kRevised &&
                        association.chosen == Association::kNone &&
-                       association.previously_chosen >= 0 && previous < closure.alternatives.size();
+                       association.previously_chosen >= 0 &&
+                       previous < loop_closure.alternatives.size();
   if (revoked) {
-    revoked_[closure.id] = {closure.alternatives[previous].older_map, closure.newer_map};
+    revoked_[loop_closure.id] = {loop_closure.alternatives[previous].older_map,
+                                 loop_closure.newer_map};
   } else if (association.chosen != Association::kNone) {
-    revoked_.erase(closure.id);
+    revoked_.erase(loop_closure.id);
   }
   set_changed(association.utime);
 }
@@ -60,15 +61,15 @@ std::string GraphLayer::graph_message() const {
                             thickness_px, rgba);
   };
   LinePrimitive& sequential = list("sequential", 1.5, {.r = 0.35, .g = 0.35, .b = 0.4});
-  LinePrimitive& closures = list("loop closures", 2.0, {.r = 0.0, .g = 0.55, .b = 0.25});
+  LinePrimitive& loop_closures = list("loop closures", 2.0, {.r = 0.0, .g = 0.55, .b = 0.25});
   LinePrimitive& revoked = list("revoked", 2.0, {.r = 0.8, .g = 0.1, .b = 0.1});
   for (const MapConstraint& constraint : graph.constraints) {
-    const bool is_closure = constraint.kind == MapConstraint::Kind::kLoopClosure;
-    add_segment(is_closure ? closures : sequential, frame_, constraint.measured.from,
+    const bool is_loop_closure = constraint.kind == MapConstraint::Kind::kLoopClosure;
+    add_segment(is_loop_closure ? loop_closures : sequential, frame_, constraint.measured.from,
                 constraint.measured.to);
   }
-  for (const auto& [id, closure] : revoked_)
-    add_segment(revoked, frame_, closure.older_map, closure.newer_map);
+  for (const auto& [id, loop_closure] : revoked_)
+    add_segment(revoked, frame_, loop_closure.older_map, loop_closure.newer_map);
   foxglove::SceneEntity& maps = values::add_entity(update, utime, "local maps");
   for (std::size_t i = 0; i < graph.poses.size(); ++i) {
     const auto T_map_local = frame_.T_map_local(static_cast<int>(i));

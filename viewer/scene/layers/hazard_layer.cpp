@@ -9,13 +9,14 @@
 
 #include <fmt/format.h>
 
+#include "viewer/scene/foxglove_values.hpp"
+#include "viewer/scene/topic_schema.hpp"
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/sensing/seconds.hpp"
-#include "viewer/scene/foxglove_values.hpp"
-#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {
@@ -23,13 +24,13 @@ namespace {
 namespace values = foxglove_values;
 
 constexpr std::int64_t kHazardsPeriodUs = 1'000'000;
-constexpr double kMethaneMaxShare = 0.01;           // 30 CFR 75.323
-constexpr double kOxygenMinShare = 0.195;           // 30 CFR 75.321
-constexpr double kCarbonMonoxideMaxShare = 50e-6;   // 30 CFR 75.322
-constexpr double kSinkageMinM = 0.05;               // less is the tread of the wheels
-constexpr double kNearM = 1.0;                      // gap between observations of one hazard
-constexpr double kPlaceM = 3.0;                     // extent of what is measured at the robot
-constexpr double kAreaMinM2 = 0.5;                  // of ground without returns and of low roof
+constexpr double kMethaneMaxShare = 0.01;          // 30 CFR 75.323
+constexpr double kOxygenMinShare = 0.195;          // 30 CFR 75.321
+constexpr double kCarbonMonoxideMaxShare = 50e-6;  // 30 CFR 75.322
+constexpr double kSinkageMinM = 0.05;              // less is the tread of the wheels
+constexpr double kNearM = 1.0;                     // gap between observations of one hazard
+constexpr double kPlaceM = 3.0;                    // extent of what is measured at the robot
+constexpr double kAreaMinM2 = 0.5;                 // of ground without returns and of low roof
 constexpr double kBoxHeightM = 0.3;
 
 /// What of a blocking cell is known, in words and with its unit.
@@ -95,7 +96,8 @@ std::vector<Region> regions_of(const TerrainMap& terrain, IsPart is_part) {
       region.box = around(region.box, cell);
       ++region.cells;
       const double clearance_m = terrain.cells.at(cell).clearance_m;
-      if (std::isfinite(clearance_m)) region.clearance_m = std::min(region.clearance_m, clearance_m);
+      if (std::isfinite(clearance_m))
+        region.clearance_m = std::min(region.clearance_m, clearance_m);
       for (const auto& step : {Eigen::Vector2i(1, 0), Eigen::Vector2i(-1, 0), Eigen::Vector2i(0, 1),
                                Eigen::Vector2i(0, -1)}) {
         const Eigen::Vector2i next = cell + step;
@@ -115,9 +117,9 @@ std::vector<Region> regions_of(const TerrainMap& terrain, IsPart is_part) {
 HazardLayer::HazardLayer(Bus& bus, TopicBoard& board, const MapFrame& frame,
                          const RobotLayer& robot, const Vehicle& vehicle)
     : board_(board), frame_(frame), robot_(robot), vehicle_(vehicle) {
-  topic_ = board.add(
-      protobuf_topic("/hazards", *foxglove::SceneUpdate::descriptor(), kHazardsPeriodUs),
-      [this] { return hazards_message(); });
+  topic_ =
+      board.add(protobuf_topic("/hazards", *foxglove::SceneUpdate::descriptor(), kHazardsPeriodUs),
+                [this] { return hazards_message(); });
   subscribe<gas_t>(bus, channels::kGas, Delivery::latest(),
                    [this](const GasReading& reading) { on_gas(reading); });
   subscribe<sinkage_t>(bus, channels::kSinkage, Delivery::latest(),
@@ -149,7 +151,12 @@ void HazardLayer::on_sinkage(const SinkageReading& reading) {
 void HazardLayer::add_at_robot(const std::string& kind, double value, const std::string& unit,
                                const std::string& evidence, std::int64_t utime) {
   if (!robot_.pose()) return;
-  add({kind, value, unit, evidence, utime, {robot_.pose()->T_odom_body, robot_.pose()->z_m},
+  add({kind,
+       value,
+       unit,
+       evidence,
+       utime,
+       {robot_.pose()->T_odom_body, robot_.pose()->z_m},
        Eigen::Vector2d::Constant(kPlaceM)});
 }
 
@@ -158,9 +165,13 @@ void HazardLayer::add_path(const PlannedPath& path) {
   for (const BlockingCell& cell : path.blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
-    add({hazard->kind, cell.height_m, hazard->unit,
-         fmt::format("blocks the path of plan {}", path.id), path.utime,
-         {{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m}, Eigen::Vector2d::Constant(0.1)});
+    add({hazard->kind,
+         cell.height_m,
+         hazard->unit,
+         fmt::format("blocks the path of plan {}", path.id),
+         path.utime,
+         {{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m},
+         Eigen::Vector2d::Constant(0.1)});
   }
 }
 
@@ -173,21 +184,19 @@ void HazardLayer::add_terrain(const TerrainMap& terrain, int number) {
       const double area_m2 = static_cast<double>(region.cells) * cell_area_m2;
       if (area_m2 < kAreaMinM2) continue;
       const Eigen::Vector2d size_m = terrain.cell_m * region.box.size().cast<double>();
-      const Eigen::Vector2d p_level = terrain.p_level_corner +
-                                      terrain.cell_m * region.box.from.cast<double>() +
-                                      0.5 * size_m;
+      const Eigen::Vector2d p_level =
+          terrain.p_level_corner + terrain.cell_m * region.box.from.cast<double>() + 0.5 * size_m;
       const bool roof = std::isfinite(region.clearance_m) && kind == "low roof";
       add({kind, roof ? region.clearance_m : area_m2, roof ? "m" : "m²",
            fmt::format("3D scan {}: {} over {:.1f} m²", number, evidence, area_m2), terrain.utime,
-           LevelPose{terrain.T_odom_level, z_m} *
-               LevelPose{{p_level.x(), p_level.y(), 0.0}, 0.0},
+           LevelPose{terrain.T_odom_level, z_m} * LevelPose{{p_level.x(), p_level.y(), 0.0}, 0.0},
            size_m});
     }
   };
-  add_regions("water",
-              regions_of(terrain,
-                         [](const TerrainCell& cell) { return cell.ground == Ground::kNoReturn; }),
-              "no return from the ground, as from water,");
+  add_regions(
+      "water",
+      regions_of(terrain, [](const TerrainCell& cell) { return cell.ground == Ground::kNoReturn; }),
+      "no return from the ground, as from water,");
   add_regions("low roof",
               regions_of(terrain,
                          [this](const TerrainCell& cell) {
@@ -205,8 +214,7 @@ void HazardLayer::add(const Observation& observation) {
   for (Hazard& hazard : hazards_) {
     if (hazard.kind != observation.kind) continue;
     const LevelPose T_map_hazard = frame_.T_map(hazard.T_centre);
-    const Eigen::Vector2d p_hazard =
-        T_map_hazard.plan.inverse() * T_map_centre.plan.translation();
+    const Eigen::Vector2d p_hazard = T_map_hazard.plan.inverse() * T_map_centre.plan.translation();
     const Eigen::Vector2d half_m = 0.5 * hazard.size_m;
     const Eigen::Vector2d half_new_m = 0.5 * observation.size_m;
     const Eigen::Vector2d gap_m = p_hazard.cwiseAbs() - half_m - half_new_m;
@@ -233,7 +241,8 @@ std::string HazardLayer::hazards_message() const {
     const LevelPose T_map_hazard = frame_.T_map(hazard.T_centre);
     foxglove::SceneEntity& entity =
         values::add_entity(update, utime_, fmt::format("{} {}", hazard.kind, ++number));
-    const std::string value = std::isfinite(hazard.value) ? fmt::format("{:.2f}", hazard.value) : "";
+    const std::string value =
+        std::isfinite(hazard.value) ? fmt::format("{:.2f}", hazard.value) : "";
     values::add_metadata(entity, "kind", hazard.kind);
     values::add_metadata(entity, "value", value);
     values::add_metadata(entity, "unit", hazard.unit);
@@ -248,9 +257,9 @@ std::string HazardLayer::hazards_message() const {
     values::set_color(*cube.mutable_color(),
                       water ? values::Rgba{.r = 0.1, .g = 0.4, .b = 0.9, .a = 0.5}
                             : values::Rgba{.r = 0.9, .g = 0.3, .b = 0.1, .a = 0.5});
-    values::add_text(entity, T_map_hazard.translation(),
-                     value.empty() ? hazard.kind
-                                   : fmt::format("{} {} {}", hazard.kind, value, hazard.unit));
+    values::add_text(
+        entity, T_map_hazard.translation(),
+        value.empty() ? hazard.kind : fmt::format("{} {} {}", hazard.kind, value, hazard.unit));
   }
   return update.SerializeAsString();
 }

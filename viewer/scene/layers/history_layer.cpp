@@ -9,10 +9,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/pose_graph/map_correction.hpp"
-#include "common/sensing/seconds.hpp"
 #include "viewer/scene/json_text.hpp"
 #include "viewer/scene/topic_schema.hpp"
+
+#include "common/pose_graph/map_correction.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {

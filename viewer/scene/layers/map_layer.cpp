@@ -10,10 +10,10 @@
 
 #include <Eigen/Core>
 
-#include "common/geometry/pose2.hpp"
-#include "common/grid/occupancy_grid.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
+
+#include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {
@@ -21,6 +21,7 @@ namespace {
 namespace values = foxglove_values;
 
 constexpr std::int64_t kGridPeriodUs = 2'000'000;
+constexpr int kRecentCellsMax = 4'000'000;
 constexpr double kExtentMaxM = 20'000.0;  // what lies farther from the start is not drawn
 constexpr std::uint8_t kUnknown = 255;
 constexpr double kOccupiedPercent = 65.0;  // that of OccupancyGrid::kOccupiedShare
@@ -30,9 +31,8 @@ CellBox placed_box(const MapRaster& raster, const Pose2& T_map_raster, double ce
   const CellBox& box = raster.cells.box();
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
-  for (const Eigen::Vector2i& corner :
-       {box.from, box.to, Eigen::Vector2i(box.from.x(), box.to.y()),
-        Eigen::Vector2i(box.to.x(), box.from.y())}) {
+  for (const Eigen::Vector2i& corner : {box.from, box.to, Eigen::Vector2i(box.from.x(), box.to.y()),
+                                        Eigen::Vector2i(box.to.x(), box.from.y())}) {
     const Eigen::Vector2d p_raster = raster.cell_m * corner.cast<double>();
     const Eigen::Vector2d p_map = T_map_raster * p_raster;
     low = low.cwiseMin(p_map);
@@ -69,10 +69,10 @@ void draw(const MapRaster& raster, const Pose2& T_map_raster, double cell_m, Sum
 /// From 0 to 100; kOccupiedPercent and above is wall.
 std::uint8_t occupancy_percent(double share_of_hits) {
   constexpr double kLimit = OccupancyGrid::kOccupiedShare;
-  const double percent =
-      share_of_hits < kLimit
-          ? (kOccupiedPercent - 1.0) * share_of_hits / kLimit
-          : kOccupiedPercent + (100.0 - kOccupiedPercent) * (share_of_hits - kLimit) / (1.0 - kLimit);
+  const double percent = share_of_hits < kLimit
+                             ? (kOccupiedPercent - 1.0) * share_of_hits / kLimit
+                             : kOccupiedPercent + (100.0 - kOccupiedPercent) *
+                                                      (share_of_hits - kLimit) / (1.0 - kLimit);
   return static_cast<std::uint8_t>(std::lround(percent));
 }
 
@@ -87,15 +87,23 @@ std::array<std::uint8_t, 4> color_of(std::uint8_t occupancy, Coverage coverage) 
 
 }  // namespace
 
-MapLayer::MapLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
+MapLayer::MapLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& path,
                    const SceneParameters& parameters)
-    : board_(board), frame_(frame), path_(path), parameters_(parameters),
-      cell_m_(parameters.map_cell_m) {
+    : board_(board),
+      frame_(frame),
+      path_(path),
+      parameters_(parameters),
+      cell_m_(parameters.map_cell_m),
+      recent_({.resolution_m = parameters.map_cell_m, .cells_max = kRecentCellsMax}) {
   topic_ = board.add(protobuf_topic("/map", *foxglove::Grid::descriptor(), kGridPeriodUs),
                      [this] { return grid_message(); });
 }
 
 void MapLayer::add_local_map(const LocalMap& map, const Lasers& lasers) {
+  if (local_maps_.empty() || map.id > local_maps_.rbegin()->first) {
+    recent_ = OccupancyGrid({.resolution_m = cell_m_, .cells_max = kRecentCellsMax});
+    T_odom_recent_.reset();
+  }
   MapRaster& raster = local_maps_[map.id];
   bytes_ -= raster.bytes();
   raster = rasterised(map, lasers, cell_m_);
@@ -104,9 +112,28 @@ void MapLayer::add_local_map(const LocalMap& map, const Lasers& lasers) {
   set_changed(utime_);
 }
 
+/// What hit the ground is not a wall.
+void MapLayer::add_scan(const ScanMatch& match, const LaserScan& scan, const LaserMount& mount) {
+  constexpr double kStepM = 0.1;  // as for the scans of a local map
+  constexpr double kStepRad = 0.1;
+  if (match.status != ScanMatch::Status::kMatched) return;
+  if (T_odom_recent_) {
+    const Pose2 step = between(*T_odom_recent_, match.T_odom_body);
+    if (step.translation().norm() < kStepM && std::abs(step.theta) < kStepRad) return;
+  }
+  LaserScan walls = scan;
+  for (const std::int32_t beam : match.ground_beams) {
+    const auto index = static_cast<std::size_t>(beam);
+    if (beam >= 0 && index < walls.ranges_m.size()) walls.ranges_m[index] = 0.0F;
+  }
+  if (!recent_.insert(walls, match.T_odom_body * mount.T_body_laser)) return;
+  T_odom_recent_ = match.T_odom_body;
+  utime_ = std::max(utime_, match.utime);
+  set_changed(utime_);
+}
+
 void MapLayer::add_terrain(const TerrainMap& terrain) {
-  scanned_.push_back(
-      {frame_.anchored({terrain.T_odom_level, 0.0}), rasterised(terrain, cell_m_)});
+  scanned_.push_back({frame_.anchored({terrain.T_odom_level, 0.0}), rasterised(terrain, cell_m_)});
   utime_ = std::max(utime_, terrain.utime);
   add_bytes(scanned_.back().raster.bytes());
   set_changed(utime_);
@@ -132,6 +159,7 @@ void MapLayer::for_each_raster(Draw draw_raster) const {
   for (const auto& [id, raster] : local_maps_) {
     if (const auto T_map_local = frame_.T_map_local(id)) draw_raster(raster, T_map_local->plan);
   }
+  if (T_odom_recent_) draw_raster(rasterised(recent_), frame_.T_map_odom().plan);
   for (const Scanned& scan : scanned_) draw_raster(scan.raster, frame_.T_map(scan.T_level).plan);
 }
 
@@ -147,7 +175,7 @@ CellBox MapLayer::covered_box(double cell_m) const {
 void MapLayer::draw_path(Grid2<Sum>& sums, double cell_m) const {
   const double radius_m = 0.5 * parameters_.vehicle.width_m;
   const int reach = static_cast<int>(std::ceil(radius_m / cell_m));
-  for (const DrivenPath::Pose& pose : path_.poses()) {
+  for (const AnchoredPath::Pose& pose : path_.poses()) {
     const Eigen::Vector2d p_map = frame_.T_map(pose.anchored).plan.translation();
     if (!(p_map.cwiseAbs().maxCoeff() < kExtentMaxM)) continue;
     const Eigen::Vector2i middle = cell_of(p_map, cell_m);

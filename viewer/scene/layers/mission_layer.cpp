@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/exploration.hpp"
@@ -16,8 +19,6 @@
 #include "common/messages/sensing.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {
@@ -39,8 +40,8 @@ json frontier_counts(const ExplorationReport& exploration) {
 
 MissionLayer::MissionLayer(Bus& bus, TopicBoard& board, const MapFrame& frame)
     : board_(board), frame_(frame) {
-  topic_ =
-      board.add(json_topic("/mission", "adit.Mission", kMissionPeriodUs), [this] { return mission_message(); });
+  topic_ = board.add(json_topic("/mission", "adit.Mission", kMissionPeriodUs),
+                     [this] { return mission_message(); });
   const auto keep = [this]<class T>(std::optional<T>& place) {
     return [this, &place](const T& received) {
       place = received;
@@ -105,8 +106,7 @@ std::string MissionLayer::mission_message() const {
   mission["oxygen_share"] = share(&GasReading::oxygen_share);
   mission["carbon_monoxide_share"] = share(&GasReading::carbon_monoxide_share);
   const auto& correction = frame_.correction();
-  mission["position_sd_m"] =
-      correction ? json(position_sd_m(correction->body_covariance)) : json();
+  mission["position_sd_m"] = correction ? json(position_sd_m(correction->body_covariance)) : json();
   mission["height_sd_m"] = correction ? json(std::sqrt(correction->z_variance)) : json();
   mission["match_quality"] = json_or_null(match_quality_);
   return json_text(mission);

@@ -21,7 +21,7 @@ constexpr double kTrajectoryPx = 2.0;
 
 }  // namespace
 
-PathLayer::PathLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& driven)
+PathLayer::PathLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& driven)
     : board_(board), frame_(frame), driven_(driven) {
   const auto& type = *foxglove::SceneUpdate::descriptor();
   trajectory_topic_ = board.add(protobuf_topic("/trajectory", type, kTrajectoryPeriodUs),
@@ -35,24 +35,23 @@ void PathLayer::set_planned(const PlannedPath& path) {
 }
 
 std::string PathLayer::trajectory_message() const {
-  const std::vector<DrivenPath::Pose>& poses = driven_.poses();
+  const std::vector<AnchoredPath::Pose>& poses = driven_.poses();
   if (poses.empty()) return {};
   const std::int64_t utime = poses.back().utime;
   foxglove::SceneUpdate update = values::replacing_update(utime);
   LinePrimitive* line = nullptr;
   bool homeward = false;
-  for (const DrivenPath::Pose& pose : poses) {
+  for (const AnchoredPath::Pose& pose : poses) {
     const Eigen::Vector3d p_map = frame_.T_map(pose.anchored).translation();
     if (!line || pose.homeward != homeward) {
       homeward = pose.homeward;
       const bool continues = line != nullptr;
       const foxglove::Point3 last =
           continues ? line->points(line->points_size() - 1) : foxglove::Point3();
-      line = &values::add_line(
-          values::add_entity(update, utime, homeward ? "return" : "outbound"),
-          LinePrimitive::LINE_STRIP, kTrajectoryPx,
-          homeward ? values::Rgba{.r = 0.85, .g = 0.4, .b = 0.0}
-                   : values::Rgba{.r = 0.1, .g = 0.35, .b = 0.8});
+      line = &values::add_line(values::add_entity(update, utime, homeward ? "return" : "outbound"),
+                               LinePrimitive::LINE_STRIP, kTrajectoryPx,
+                               homeward ? values::Rgba{.r = 0.85, .g = 0.4, .b = 0.0}
+                                        : values::Rgba{.r = 0.1, .g = 0.35, .b = 0.8});
       if (continues) *line->add_points() = last;
     }
     values::set_point(*line->add_points(), p_map);

@@ -6,10 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "common/types/planned_path.hpp"
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
+
+#include "common/types/planned_path.hpp"
 
 namespace adit {
 
@@ -17,7 +18,7 @@ namespace adit {
 class PathLayer {
  public:
   /// All must outlive this.
-  PathLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& driven);
+  PathLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& driven);
   PathLayer(const PathLayer&) = delete;
   PathLayer& operator=(const PathLayer&) = delete;
 
@@ -31,7 +32,7 @@ class PathLayer {
 
   TopicBoard& board_;
   const MapFrame& frame_;
-  const DrivenPath& driven_;
+  const AnchoredPath& driven_;
   TopicId trajectory_topic_ = 0;
   TopicId path_topic_ = 0;
   std::optional<PlannedPath> planned_;

@@ -8,13 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/procman.hpp"
 #include "common/sensing/seconds.hpp"
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {
@@ -83,14 +84,15 @@ std::string ProcessLayer::processes_message() const {
     json processes = json::array();
     for (const ProcmanStatus& status : info.commands) {
       const auto process = processes_.find(key_of(name, status.command.id));
-      processes.push_back({{"name", status.command.id},
-                           {"group", status.command.group},
-                           {"pid", status.pid},
-                           {"running", status.pid != 0},
-                           {"exit_code", status.wait_status},
-                           {"cpu_share", status.cpu_cores},
-                           {"memory_bytes", status.memory_bytes},
-                           {"restarts", process == processes_.end() ? 0 : process->second.restarts}});
+      processes.push_back(
+          {{"name", status.command.id},
+           {"group", status.command.group},
+           {"pid", status.pid},
+           {"running", status.pid != 0},
+           {"exit_code", status.wait_status},
+           {"cpu_share", status.cpu_cores},
+           {"memory_bytes", status.memory_bytes},
+           {"restarts", process == processes_.end() ? 0 : process->second.restarts}});
     }
     computers.push_back({{"name", name},
                          {"cpu_load", info.load.cpu_share},

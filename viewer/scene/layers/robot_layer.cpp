@@ -6,12 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "viewer/scene/foxglove_values.hpp"
+#include "viewer/scene/topic_schema.hpp"
+
 #include "common/bus/channels.hpp"
 #include "common/bus/node/recorded_section.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/sensing.hpp"
-#include "viewer/scene/foxglove_values.hpp"
-#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {
@@ -26,12 +27,12 @@ constexpr std::size_t kConfigsQueued = 50;  // of all stages at their start
 
 RobotLayer::RobotLayer(Bus& bus, TopicBoard& board, const MapFrame& frame, const Lasers& lasers)
     : board_(board), frame_(frame), lasers_(lasers) {
-  tf_topic_ = board.add(
-      protobuf_topic("/tf", *foxglove::FrameTransforms::descriptor(), kPosePeriodUs),
-      [this] { return transforms(); });
-  pose_topic_ = board.add(
-      protobuf_topic("/pose", *foxglove::PoseInFrame::descriptor(), kPosePeriodUs),
-      [this] { return pose_message(); });
+  tf_topic_ =
+      board.add(protobuf_topic("/tf", *foxglove::FrameTransforms::descriptor(), kPosePeriodUs),
+                [this] { return transforms(); });
+  pose_topic_ =
+      board.add(protobuf_topic("/pose", *foxglove::PoseInFrame::descriptor(), kPosePeriodUs),
+                [this] { return pose_message(); });
   add_laser(bus, board, LaserId::kFront, front_);
   add_laser(bus, board, LaserId::kRear, rear_);
   subscribe<pose_t>(bus, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {

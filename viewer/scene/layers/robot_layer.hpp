@@ -8,13 +8,14 @@
 
 #include <Eigen/Geometry>
 
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
+
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 
@@ -28,6 +29,10 @@ class RobotLayer {
 
   [[nodiscard]] const std::optional<StampedPose>& pose() const { return pose_; }
   [[nodiscard]] const Lasers& lasers() const { return lasers_; }
+  /// The newest scan; without beams if there is none.
+  [[nodiscard]] const LaserScan& scan(LaserId laser) const {
+    return laser == LaserId::kFront ? front_.scan : rear_.scan;
+  }
 
  private:
   struct Laser {

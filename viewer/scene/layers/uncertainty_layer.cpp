@@ -8,9 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "common/geometry/symmetric_eigen.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
+
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -35,9 +36,8 @@ void add_ellipse(const std::string& id, const LevelPose& T_map_body,
   values::add_metadata(entity, "height_95_m",
                        fmt::format("{:.6f}", kFactorHeight * std::sqrt(std::max(0.0, z_variance))));
   values::add_metadata(entity, "distance_m", distance_m);
-  foxglove::LinePrimitive& line =
-      values::add_line(entity, foxglove::LinePrimitive::LINE_LOOP, 1.5,
-                       {.r = 0.8, .g = 0.2, .b = 0.6});
+  foxglove::LinePrimitive& line = values::add_line(entity, foxglove::LinePrimitive::LINE_LOOP, 1.5,
+                                                   {.r = 0.8, .g = 0.2, .b = 0.6});
   for (int i = 0; i < kCorners; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kCorners;
     const Eigen::Vector2d p_body =
@@ -49,8 +49,8 @@ void add_ellipse(const std::string& id, const LevelPose& T_map_body,
 
 }  // namespace
 
-UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
-                                   const RobotLayer& robot)
+UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame,
+                                   const AnchoredPath& path, const RobotLayer& robot)
     : board_(board), frame_(frame), path_(path), robot_(robot) {
   topic_ = board.add(
       protobuf_topic("/uncertainty", *foxglove::SceneUpdate::descriptor(), kUncertaintyPeriodUs),
@@ -60,7 +60,7 @@ UncertaintyLayer::UncertaintyLayer(TopicBoard& board, const MapFrame& frame, con
 void UncertaintyLayer::add_correction(const MapCorrection& correction) {
   board_.set_changed(topic_, correction.utime);
   if (path_.poses().empty() || places_.size() >= kPlacesMax) return;
-  const DrivenPath::Pose& pose = path_.poses().back();
+  const AnchoredPath::Pose& pose = path_.poses().back();
   if (!places_.empty() && pose.distance_m < places_.back().distance_m + kSpacingM) return;
   places_.push_back(
       {pose.anchored, pose.distance_m, correction.body_covariance, correction.z_variance});

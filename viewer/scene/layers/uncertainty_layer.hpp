@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/layers/robot_layer.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
@@ -24,7 +24,7 @@ class UncertaintyLayer {
   static constexpr std::size_t kPlacesMax = 2000;
 
   /// All must outlive this.
-  UncertaintyLayer(TopicBoard& board, const MapFrame& frame, const DrivenPath& path,
+  UncertaintyLayer(TopicBoard& board, const MapFrame& frame, const AnchoredPath& path,
                    const RobotLayer& robot);
   UncertaintyLayer(const UncertaintyLayer&) = delete;
   UncertaintyLayer& operator=(const UncertaintyLayer&) = delete;
@@ -43,7 +43,7 @@ class UncertaintyLayer {
 
   TopicBoard& board_;
   const MapFrame& frame_;
-  const DrivenPath& path_;
+  const AnchoredPath& path_;
   const RobotLayer& robot_;
   TopicId topic_ = 0;
   std::vector<Place> places_;

@@ -11,7 +11,9 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "procs/supervisor/os/procfs.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
@@ -58,6 +60,17 @@ TEST(ChildProcess, ReturnsHowTheProgramEnded) {
   EXPECT_EQ(end.text(), "ended with exit code 3");
   ChildProcess killed(shell("kill -SEGV $$"));
   EXPECT_EQ(end_of(killed).text(), "killed by SIGSEGV");
+}
+
+TEST(ChildProcess, PassesAListeningSocketAsSystemdDoes) {
+  const int listening = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(listen(listening, 1), 0);
+  ChildStart start = shell(
+      "[ \"$LISTEN_PID\" = $$ ] && echo $LISTEN_FDS socket; readlink /proc/$$/fd/3 | cut -c 1-7");
+  EXPECT_THAT(output_of(start), testing::Not(HasSubstr("socket")));
+  start.listening_socket = listening;
+  EXPECT_THAT(output_of(start), testing::StartsWith("1 socket\nsocket:\n"));
+  close(listening);
 }
 
 TEST(ChildProcess, ReportsWhyAProgramCannotBeStarted) {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "viewer/scene/driven_path.hpp"
+#include "viewer/scene/anchored_path.hpp"
 
 namespace adit {
 
-bool DrivenPath::add(const StampedPose& pose) {
+bool AnchoredPath::add(const StampedPose& pose) {
   const LevelPose T_odom_body{pose.T_odom_body, pose.z_m};
   if (!poses_.empty() && pose.utime <= poses_.back().utime) return false;
   const double step_m = (T_odom_body.translation() - T_odom_last_.translation()).norm();

@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/messages/mapping/odometry.hpp"
 #include "viewer/scene/map_frame.hpp"
+
+#include "common/messages/mapping/odometry.hpp"
 
 namespace adit {
 
 /// The path driven so far, thinned, as poses that follow the pose graph.
-class DrivenPath {
+class AnchoredPath {
  public:
   /// When it is reached, every second pose is dropped.
   static constexpr std::size_t kPosesMax = 40'000;
@@ -25,7 +26,7 @@ class DrivenPath {
   };
 
   /// `frame` must outlive this.
-  explicit DrivenPath(const MapFrame& frame) : frame_(frame) {}
+  explicit AnchoredPath(const MapFrame& frame) : frame_(frame) {}
 
   /// Returns whether the path has become longer.
   bool add(const StampedPose& pose);

@@ -17,18 +17,18 @@ skip() { echo "skipped: $*" >&2; exit 77; }
 cd "$source"
 [[ -d node_modules ]] || skip "npm ci has not run in viewer/page"
 export ADIT_PAGE=$page
-if [[ $case == units ]]; then exec npm run --silent test; fi
+if [[ $case == units ]]; then exec npm run -s test; fi
 
 ADIT_CHROMIUM=$(command -v chromium) || skip "there is no chromium"
 shots=$3
 rm -rf "$shots"
 mkdir -p "$shots"
 export ADIT_CHROMIUM ADIT_SCREENSHOTS=$shots
-if [[ $case == synthetic ]]; then exec npm run --silent test:browser -- synthetic; fi
+if [[ $case == synthetic ]]; then exec npm run -s test:browser -- synthetic; fi
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 "$4" mission florence --in-process --out "$scratch/out" >"$scratch/mission.text" 2>&1 ||
   { cat "$scratch/mission.text" >&2; exit 1; }
 mv "$scratch/out/mission.html" "$shots/mission.html"
-npm run --silent test:browser -- florence "$shots/mission.html"
+npm run -s test:browser -- florence "$shots/mission.html"

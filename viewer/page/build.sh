@@ -20,4 +20,4 @@ if [[ ! $installed -nt package-lock.json ]]; then
   fi
   touch "$installed"
 fi
-npm run --silent build -- --outDir "$folder" --logLevel warn >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+npm run -s build -- --outDir "$folder" --logLevel warn >"$log" 2>&1 || { cat "$log" >&2; exit 1; }

@@ -22,10 +22,10 @@ struct Blockage {
   std::vector<int> frontiers;  ///< their ids
 };
 
-/// The blockages of a mission, from the frontiers that are neither explored nor outside the mine nor
-/// still to be visited, in the order in which the robot passed them. Frontiers whose nearest poses
-/// are close to each other are behind one blockage. `path` is T_map_body; `grid` may be null: the
-/// frontiers are what was seen then.
+/// The blockages of a mission, from the frontiers that are neither explored nor outside the mine
+/// nor still to be visited, in the order in which the robot passed them. Frontiers whose nearest
+/// poses are close to each other are behind one blockage. `path` is T_map_body; `grid` may be null:
+/// the frontiers are what was seen then.
 std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Trajectory& path,
                                 const OccupancyGrid* grid);
 

@@ -20,28 +20,28 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
-constexpr std::int64_t kOnceUs = 1000LL * 24 * 3600 * kSecondUs;
 constexpr std::size_t kMegabyte = 1'000'000;
 constexpr std::int64_t kStepUs = kSecondUs / 10;
 
 constexpr const char* kScans = "/scans";
 /// Of points in /volume, which are the largest part of the page and hardly compressible.
-constexpr int kVolumePointsMax = 400'000;
+constexpr int kVolumePointsMax = 300'000;
 
 /// What the page keeps of a topic. Transforms and laser scans have intervals of which one divides
-/// the other, so that each scan has a transform of its time. Of the volume the last is enough: its
-/// points name their scan, and so their time. The history has the poses.
+/// the other, so that each scan has a transform of its time. Of the clouds the last are enough: the
+/// points of the volume name their scan, and so their time. The history has the poses.
 TopicRecorder::Limits limits_of(const Topic& topic) {
   static const std::map<std::string_view, TopicRecorder::Limits> kLimits{
       {"/tf", {kSecondUs, 2 * kMegabyte}},
-      {"/pose", {kOnceUs, kMegabyte}},
-      {"/laser/front", {2 * kSecondUs, 4 * kMegabyte}},
-      {"/laser/rear", {2 * kSecondUs, 4 * kMegabyte}},
+      {"/pose", {TopicRecorder::kAtEnd, kMegabyte}},
+      {"/laser/front", {4 * kSecondUs, kMegabyte}},
+      {"/laser/rear", {4 * kSecondUs, kMegabyte}},
       {"/map", {30 * kSecondUs, 48 * kMegabyte}},
-      {"/cloud", {30 * kSecondUs, 3 * kMegabyte}},
-      {"/volume", {kOnceUs, kMegabyte}},
-      {"/trajectory", {30 * kSecondUs, 4 * kMegabyte}},
+      {"/cloud", {TopicRecorder::kAtEnd, kMegabyte}},
+      {"/volume", {TopicRecorder::kAtEnd, kMegabyte}},
+      {"/trajectory", {120 * kSecondUs, kMegabyte}},
       {"/path", {2 * kSecondUs, 2 * kMegabyte}},
+      {"/uncertainty", {60 * kSecondUs, kMegabyte}},
       {"/graph", {60 * kSecondUs, 6 * kMegabyte}},
       {"/mission", {2 * kSecondUs, 4 * kMegabyte}}};
   constexpr TopicRecorder::Limits kOther{10 * kSecondUs, 3 * kMegabyte};

@@ -21,6 +21,7 @@ void TopicRecorder::record(std::int64_t utime) {
   take(utime, [&](TopicId id) {
     const bool appended = board_.topics()[id].retention == Retention::kAppended;
     const Kept& kept = topics_.at(id);
+    if (kept.limits.interval_us == kAtEnd) return appended;
     return appended || !kept.any || utime >= kept.last_utime + kept.limits.interval_us;
   });
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "viewer/server/topic_board.hpp"
@@ -18,8 +19,11 @@ namespace adit {
 /// a mission of any length. The first and the last are always kept.
 class TopicRecorder {
  public:
+  /// An interval: only the message at the end is kept.
+  static constexpr std::int64_t kAtEnd = std::numeric_limits<std::int64_t>::max();
+
   struct Limits {
-    std::int64_t interval_us = 0;  ///< shortest time between two messages [bus time, µs]
+    std::int64_t interval_us = 0;  ///< shortest time between two messages [bus time, µs], or kAtEnd
     std::size_t bytes_max = 0;     ///< of all messages; of at least three
   };
   using LimitsOf = std::function<Limits(const Topic& topic)>;

@@ -49,6 +49,12 @@ TEST_F(TopicRecorderTest, KeepsOneMessageInEachInterval) {
   EXPECT_EQ(seconds_of(events_), (std::vector<std::int64_t>{10, 20}));
 }
 
+TEST_F(TopicRecorderTest, KeepsTheLastMessageAloneWhereThatIsEnough) {
+  play(25, {TopicRecorder::kAtEnd, 100'000});
+  EXPECT_EQ(seconds_of(map_), (std::vector<std::int64_t>{25}));
+  EXPECT_EQ(seconds_of(events_).size(), 2U);
+}
+
 TEST_F(TopicRecorderTest, SpreadsTheBudgetOverAMissionOfAnyLength) {
   play(5000, {kSecondUs, 2000});
   const auto seconds = seconds_of(map_);

@@ -4,7 +4,7 @@
 import { clock, fixed, table } from "../dom";
 import { Chainage } from "../state/chainage";
 import type { Model } from "../state/model";
-import { frontiersOf, hazardsOf, kFrontierStates } from "../state/scene";
+import { frontiersOf, hazardsOf, kFrontierStates, valueText } from "../state/scene";
 import { button, idOf, note, Panel } from "./panel";
 
 export type Centre = (x: number, y: number) => void;
@@ -43,7 +43,7 @@ export class HazardsPanel extends Panel {
       const hazards = hazardsOf(entities ?? []).sort((a, b) => rank(kHazardOrder, a.kind) - rank(kHazardOrder, b.kind) || a.kind.localeCompare(b.kind) || a.time_s - b.time_s);
       if (hazards.length === 0) return [note("None observed up to this time.")];
       const line = trajectoryAt(this.model, time_s);
-      return [table(["kind", "value", "at", "evidence", "time", ""], hazards.slice(0, kRowLimit).map((h) => [h.kind, `${h.value} ${h.unit}`,
+      return [table(["kind", "value", "at", "evidence", "time", ""], hazards.slice(0, kRowLimit).map((h) => [h.kind, valueText(h),
         placeText(line, h.x, h.y), h.evidence, clock(h.time_s - this.model.start_s), button("show", () => this.centre(h.x, h.y))]))];
     });
   }

@@ -34,6 +34,7 @@ export function updateHeader(model: Model, time: ViewTime): void {
   setText(byId("phase"), phase);
   byId("phase").style.color = isPhase(phase) ? `var(--phase-${phase})` : "";
   setText(byId("reason"), str(mission.reason));
+  byId("reason").title = str(mission.reason);
   byId("stop").hidden = mission.stopped !== true;
   setText(byId("stop"), mission.stopped === true ? `STOP: ${str(mission.stop_reason, "no reason given")}` : "");
   setText(byId("connection"), connectionText(model, time.isLog));

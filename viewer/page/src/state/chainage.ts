@@ -3,6 +3,8 @@
 /** Distance along the outbound trajectory, by which places underground are named. */
 import type { Entity } from "./scene";
 
+const kNear_m = 1;
+
 export class Chainage {
   #along: number[] = [];
   constructor(private readonly xyz: Float64Array) {
@@ -27,16 +29,25 @@ export class Chainage {
     return [at(0), at(1)];
   }
 
+  /** Where the robot first was as near to a place as it ever came, within kNear_m: it may have come there again. */
   nearest(x: number, y: number): { distance_m: number; offset_m: number } {
-    let best = { distance_m: 0, offset_m: Infinity };
+    const segments = this.#segments(x, y);
+    const least_m = segments.reduce((least, { offset_m }) => Math.min(least, offset_m), Infinity);
+    let first = segments.findIndex(({ offset_m }) => offset_m <= least_m + kNear_m);
+    while (first >= 0 && first + 1 < segments.length && segments[first + 1]!.offset_m < segments[first]!.offset_m) ++first;
+    return segments[first] ?? { distance_m: 0, offset_m: Infinity };
+  }
+
+  /** Of each segment its point nearest to a place. */
+  #segments(x: number, y: number): { distance_m: number; offset_m: number }[] {
+    const found: { distance_m: number; offset_m: number }[] = [];
     for (let i = 3; i < this.xyz.length; i += 3) {
       const ax = this.xyz[i - 3]!, ay = this.xyz[i - 2]!;
       const dx = this.xyz[i]! - ax, dy = this.xyz[i + 1]! - ay;
       const length2 = dx * dx + dy * dy;
       const share = length2 > 0 ? Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / length2)) : 0;
-      const offset_m = Math.hypot(x - ax - share * dx, y - ay - share * dy);
-      if (offset_m < best.offset_m) best = { distance_m: this.#along[i / 3 - 1]! + share * Math.sqrt(length2), offset_m };
+      found.push({ distance_m: this.#along[i / 3 - 1]! + share * Math.sqrt(length2), offset_m: Math.hypot(x - ax - share * dx, y - ay - share * dy) });
     }
-    return best;
+    return found;
   }
 }

@@ -124,6 +124,11 @@ export function hazardsOf(entities: Entity[]): Hazard[] {
   });
 }
 
+/** "0.45 m"; empty where nothing was measured. */
+export function valueText({ value, unit }: Hazard): string {
+  return value === "" || Number(value) === 0 ? "" : `${value} ${unit}`.trim();
+}
+
 export interface Ellipse {
   id: string;
   line: Polyline;

@@ -16,7 +16,7 @@ const kSynthetic: KnownMine = {
   water: /water0.45 m100 m \+ 6 m \(106.0 E, 0.0 N\)/, headline: /water/,
 };
 /** sim/worlds/florence.yaml: 2.8 m, walls with a relief, cells of 0.1 m; water from 40 m, where the robot starts at 2 m. */
-const kFlorence: KnownMine = { at_m: 20, width_m: 2.8, rulerTolerance_m: 0.25, widthTolerance_m: 0.25, water: /water/, headline: /water.* at 3\d m/ };
+const kFlorence: KnownMine = { at_m: 20, width_m: 2.8, rulerTolerance_m: 0.25, widthTolerance_m: 0.25, water: /water/, headline: /water at 3\d\sm/ };
 
 const [kind, target = "", token] = process.argv.slice(2);
 const harness = await Harness.launch();

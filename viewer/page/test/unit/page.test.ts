@@ -76,6 +76,10 @@ describe("chainage", () => {
   it("finds the nearest point", () => {
     expect(line.nearest(11, 3)).toEqual({ distance_m: 13, offset_m: 1 });
   });
+  it("is that of the first visit of a place", () => {
+    const twice = new Chainage(Float64Array.from([0, 0, 0, 10, 0, 0, 4, 0, 0, 10.5, 0, 0]));
+    expect(twice.nearest(12, 0)).toEqual({ distance_m: 10, offset_m: 2 });
+  });
 });
 
 describe("cloud", () => {

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Layers of places: hazards with their values, frontiers, 3D scans. A click selects them; zoomed in, each has its number. */
-import { frontiersOf, hazardsOf } from "../../state/scene";
+import { frontiersOf, hazardsOf, valueText } from "../../state/scene";
 import { colour, hazardColour, stateColour } from "../../theme";
 import { entitiesAt, type Layer } from "./layer";
 
 const kMinSize_px = 6;
+/** Written on the map only when zoomed in; there are many of them, beside every wall. */
+const kCommonHazards = ["step", "low roof", "slope"];
 const kFrontierCorners: [number, number][] = [[9, 0], [-5, 6], [-5, -6]];
 
 export const kHazards: Layer = {
   key: "hazards", label: "hazards", swatch: "water", on: true,
-  draw({ brush, time_s, model, places }) {
+  draw({ brush, time_s, model, isNumbered, places }) {
     for (const hazard of hazardsOf(model.hazards.at(time_s)?.value ?? [])) {
-      const title = [hazard.kind, hazard.value, hazard.unit].filter(Boolean).join(" ");
+      const title = `${hazard.kind} ${valueText(hazard)}`.trim();
       const fill = hazardColour(hazard.kind);
       const [width, height] = hazard.size.map((size_m) => Math.max(kMinSize_px, size_m * brush.camera.scale)) as [number, number];
       brush.at(hazard.x, hazard.y, hazard.yaw_rad, (context) => {
@@ -24,7 +26,7 @@ export const kHazards: Layer = {
         context.strokeRect(-width / 2, -height / 2, width, height);
       });
       places.push({ x: hazard.x, y: hazard.y, title, text: hazard.evidence });
-      brush.text(hazard.x, hazard.y, title, fill, 0);
+      if (isNumbered || !kCommonHazards.includes(hazard.kind)) brush.text(hazard.x, hazard.y, title, fill, kCommonHazards.includes(hazard.kind) ? 3 : 0);
     }
   },
 };

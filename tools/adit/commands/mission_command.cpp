@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -168,22 +169,27 @@ void run_in_process(const MissionLiveOptions& mission) {
   require_return(result.last, abort_reason, result.trace_failure);
 }
 
+/// The live view of a mission.
+struct View {
+  std::optional<int> socket = {};  ///< listens; none without a network
+  std::string message;             ///< for the user: its address, or why there is none
+};
+
 /// Opens the port of the live view in the network of the user, before the mission enters its own.
-/// Another port than a default one that is in use; nothing without a network.
-std::optional<int> open_view(int port, const MissionProgressPrinter& printer) try {
+/// Another port than `port` if that is in use.
+View open_view(int port) try {
   constexpr const char* kAddress = "127.0.0.1";
-  std::optional<int> socket;
+  View view;
   try {
-    socket = listen_on(kAddress, static_cast<std::uint16_t>(port));
+    view.socket = listen_on(kAddress, static_cast<std::uint16_t>(port));
   } catch (const std::runtime_error& error) {
-    printer.print_message(fmt::format("{}; the live view uses another port", error.what()));
-    socket = listen_on(kAddress, 0);
+    view.message = fmt::format("{}; the live view uses another port\n", error.what());
+    view.socket = listen_on(kAddress, 0);
   }
-  std::cout << fmt::format("live view   {}\n", browser_address(kAddress, port_of(*socket)));
-  return socket;
+  view.message += fmt::format("live view   {}\n", browser_address(kAddress, port_of(*view.socket)));
+  return view;
 } catch (const std::runtime_error& error) {
-  printer.print_message(fmt::format("no live view: {}", error.what()));
-  return std::nullopt;
+  return {.message = fmt::format("no live view: {}\n", error.what())};
 }
 
 void run_processes(const MissionOptions& options) {
@@ -194,12 +200,17 @@ void run_processes(const MissionOptions& options) {
     for (const std::string& report : journal_reports(MissionFolder(folder)))
       printer.print_message(report);
   }
-  if (!options.no_view) mission.view_socket = open_view(options.view_port, printer);
-  std::cout << fmt::format("messages    adit spy --mission {}\n", mission.folder.string())
-            << std::flush;
+  const View view = options.no_view ? View{} : open_view(options.view_port);
+  mission.view_socket = view.socket;
+  // Printed as the mission begins: one that cannot begin has its reason alone.
+  std::string messages = fmt::format("{}messages    adit spy --mission {}\n", view.message,
+                                     mission.folder.string());
   const MissionLiveResult result = run_live_mission(
       mission,
-      [&](const MissionProgress& progress, double wall_s) { printer.update(progress, wall_s); },
+      [&](const MissionProgress& progress, double wall_s) {
+        std::cout << std::exchange(messages, {}) << std::flush;
+        printer.update(progress, wall_s);
+      },
       [&](const std::string& message) { printer.print_message(message); });
   MissionProgressPrinter::end(result.last, result.abort_reason, result.trace_failure,
                               result.wall_s);

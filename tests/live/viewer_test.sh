@@ -42,8 +42,8 @@ case $case in
     "$adit" view "$scratch/out/run.lcmlog" --port 0 >"$scratch/view.text" 2>&1 &
     at=$(address "$scratch/view.text") || fail "adit view prints no address"
     # The whole log at a multiple of real time, so that all topics have content within the time of the client.
-    node "$here/viewer/play.mjs" "$modules" "ws://$at" 20 || fail "the playback cannot be controlled"
-    node "$here/viewer/client.mjs" "$modules" "ws://$at" "$scratch/out/run.lcmlog" 12 || fail "the client disagrees"
+    node "$here/viewer/play.mjs" "$modules" "ws://$at" 5 || fail "the playback cannot be controlled"
+    node "$here/viewer/client.mjs" "$modules" "ws://$at" "$scratch/out/run.lcmlog" 15 || fail "the client disagrees"
     ;;
   mission)
     # The default port may be in use by another program here; this one is, for sure.

@@ -10,9 +10,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include "viewer/view/live_view.hpp"
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
 #include "common/bus/node/version.hpp"
@@ -21,6 +18,8 @@
 #include "common/files/file_utils.hpp"
 #include "common/service/service_manager.hpp"
 #include "common/text/message_text.hpp"
+#include "viewer/view/live_view.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace {
 

@@ -73,13 +73,18 @@ void write_text_file(std::string_view text, const fs::path& path) {
   file.publish();
 }
 
+std::optional<fs::path> installed_file(const std::string& folder, const fs::path& name) {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path share = program.parent_path().parent_path() / "share" / "adit";
+  const fs::path installed = share / folder / name;
+  return fs::exists(installed, ignored) ? std::optional(installed) : std::nullopt;
+}
+
 fs::path find_installed_file(const fs::path& path, const std::string& folder) {
   std::error_code ignored;
   if (path.empty() || path.is_absolute() || fs::exists(path, ignored)) return path;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path share = program.parent_path().parent_path() / "share" / "adit";
-  const fs::path installed = share / folder / path.filename();
-  return fs::exists(installed, ignored) ? installed : path;
+  return installed_file(folder, path.filename()).value_or(path);
 }
 
 void finish_standard_output() {

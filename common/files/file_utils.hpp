@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,10 @@ std::string read_gzip_file(const std::filesystem::path& path,
 /// Replaces the content of the file, as a whole (NewFile). Throws FileError with the path
 /// if the file cannot be written.
 void write_text_file(std::string_view text, const std::filesystem::path& path);
+
+/// ../share/adit/FOLDER/NAME relative to the program, if it exists.
+std::optional<std::filesystem::path> installed_file(const std::string& folder,
+                                                    const std::filesystem::path& name);
 
 /// The path itself if it exists or is absolute; otherwise the installed file of the same name, in
 /// ../share/adit/FOLDER relative to the program. The path itself if neither exists, so that opening

@@ -10,12 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "common/bus/memory_bus.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "viewer/server/protocol.hpp"
 #include "viewer/server/request_origin.hpp"
 #include "viewer/view/order_service.hpp"
-
-#include "common/bus/memory_bus.hpp"
-#include "tests/fuzz/targets.hpp"
 
 namespace adit::fuzz {
 namespace {

@@ -32,6 +32,7 @@ declare -A prints=(
 # Files: command lines that write, and print nothing that matters.
 declare -A writes=(
   [drive]='drive sample --waypoints in.txt --out out.lcmlog'
+  [export_mcap]='export in.lcmlog --mcap out.mcap' [export_lcm]='export in.lcmlog --lcmlog out.lcmlog.zst'
   [import]='import carmen in.log out.lcmlog' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
   [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'
   [plan]='plan in_scan.lcmlog --out out' [sample]='sample out.log --length-m 4'
@@ -41,7 +42,7 @@ declare -A writes=(
   [volume]='volume in_scan.lcmlog --out out')
 # Not here: these print what a supervisor or a mission answers, with the same check at the end (run_adit), or start
 # a program; report and mission need the log of a mission (tests/unit/tools).
-elsewhere=' logs mission order ps reload report restart spy start stop '
+elsewhere=' logs mission order ps reload report restart spy start stop view '
 
 for command in $("$adit" --help | sed -n '/^Subcommands:/,/^$/p' | awk '/^  [a-z]/ {print $1}'); do
   [[ " ${!prints[*]} $(printf "%s " "${!writes[@]}" | sed "s|_[a-z]*||g") $elsewhere" == *" $command "* ]] ||

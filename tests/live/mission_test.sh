@@ -88,7 +88,7 @@ case $case in
     begin --resume "${options[@]}"
     expect_return
     [[ -s $out/run.lcmlog$extension && -s $out/run_2.lcmlog$extension ]] || fail "the logs of two runs are missing"
-    grep -q "is at home" "$out/mission.html" || fail "the report does not cover the second run"
+    grep -q '"outcome": "home"' "$out/summary.json" || fail "the report does not cover the second run"
     ;;
   message_loss)
     begin "$world" --config "$config" --fault "packet_loss=$kLossShare@5"

@@ -9,14 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "viewer/scene/scene.hpp"
-
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/version.hpp"
 #include "common/messages/fields/quantities.hpp"
 #include "common/text/base64.hpp"
 #include "tools/export/mcap_writer.hpp"
+#include "viewer/scene/scene.hpp"
 
 namespace adit {
 namespace {

@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "viewer/scene/map_frame.hpp"
-
 #include "common/messages/mapping/odometry.hpp"
+#include "viewer/scene/map_frame.hpp"
 
 namespace adit {
 

@@ -4,6 +4,10 @@
 
 #include <cstdint>
 
+#include "common/bus/bus.hpp"
+#include "common/bus/map_subscription.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/layers/cloud_layer.hpp"
 #include "viewer/scene/layers/event_layer.hpp"
@@ -21,11 +25,6 @@
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/bus/bus.hpp"
-#include "common/bus/map_subscription.hpp"
-#include "common/messages/mapping/cloud.hpp"
-#include "common/messages/mapping/terrain.hpp"
 
 namespace adit {
 

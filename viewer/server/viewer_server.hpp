@@ -10,10 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "common/messages/result.hpp"
 #include "viewer/server/protocol.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/messages/result.hpp"
 
 namespace adit {
 

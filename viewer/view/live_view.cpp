@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "common/bus/lcm_bus.hpp"
 #include "viewer/scene/scene.hpp"
 #include "viewer/server/topic_board.hpp"
 #include "viewer/view/topic_server.hpp"
-
-#include "common/bus/lcm_bus.hpp"
 
 namespace adit {
 namespace {

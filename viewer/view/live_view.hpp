@@ -7,11 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "viewer/view/order_service.hpp"
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/bus/node/stop_signal.hpp"
 #include "common/bus/order_seal.hpp"
+#include "viewer/view/order_service.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 

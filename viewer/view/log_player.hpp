@@ -10,13 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/memory_bus.hpp"
 #include "viewer/scene/scene.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/protocol.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/bus/log/event_source.hpp"
-#include "common/bus/memory_bus.hpp"
 
 namespace adit {
 

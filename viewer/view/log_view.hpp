@@ -7,9 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/bus/node/stop_signal.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 

@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "viewer/server/protocol.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/messages/result.hpp"
 #include "common/types/mission.hpp"
+#include "viewer/server/protocol.hpp"
 
 namespace adit {
 

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/view/viewer_options.hpp"
 
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "common/bus/node/stages.hpp"
@@ -13,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kPageBytesMax = 16U << 20U;
+
 constexpr const char* kWithoutPage =
     R"(<!doctype html><html lang="en"><meta charset="utf-8"><title>Adit viewer</title>
 <p>The page of the viewer is not built (viewer/page/README.md). Foxglove and Lichtblick can connect to this
@@ -20,13 +27,17 @@ address: open a connection of kind "Foxglove WebSocket".</p></html>)";
 
 }  // namespace
 
+std::optional<std::string> viewer_page() {
+  const auto path = installed_file("viewer", "page.html");
+  return path ? std::optional(read_text_file(*path, kPageBytesMax)) : std::nullopt;
+}
+
 ViewerServerOptions server_options(const ViewerOptions& options) {
-  const fs::path page = find_installed_file("page.html", "viewer");
   return {.address = options.parameters.address,
           .port = static_cast<std::uint16_t>(options.parameters.port),
           .listening_socket = options.listening_socket,
           .allowed_origins = options.allowed_origins,
-          .page = fs::exists(page) ? read_text_file(page) : kWithoutPage};
+          .page = viewer_page().value_or(kWithoutPage)};
 }
 
 ViewerParameters load_viewer_parameters(const fs::path& config) {

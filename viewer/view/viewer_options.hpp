@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "common/config/bounds.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/viewer_server.hpp"
-
-#include "common/config/bounds.hpp"
 
 namespace adit {
 
@@ -37,6 +36,10 @@ struct ViewerOptions {
   std::vector<std::string> allowed_origins = {};  ///< of pages of others, beside our own
   std::string title = {};                         ///< of the mission
 };
+
+/// The page of the viewer as it was built, nothing if this build has none. Throws FileError if it
+/// is there and cannot be read.
+std::optional<std::string> viewer_page();
 
 /// The options of the server, with the page of the viewer. Without a built page, a page that says
 /// so takes its place.

@@ -10,11 +10,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/scene/scene.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "viewer/scene/scene.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

@@ -11,8 +11,6 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/command_line/command_line.hpp"
@@ -20,6 +18,7 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
 #include "tools/export/mcap_export.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {

@@ -15,9 +15,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "viewer/server/viewer_server.hpp"
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/command_line/command_line.hpp"
 #include "common/text/message_text.hpp"
 #include "sim/live/live_run.hpp"
@@ -27,6 +24,8 @@
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/mission_run.hpp"
 #include "tools/report/report.hpp"
+#include "viewer/server/viewer_server.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {
@@ -203,8 +202,8 @@ void run_processes(const MissionOptions& options) {
   const View view = options.no_view ? View{} : open_view(options.view_port);
   mission.view_socket = view.socket;
   // Printed as the mission begins: one that cannot begin has its reason alone.
-  std::string messages = fmt::format("{}messages    adit spy --mission {}\n", view.message,
-                                     mission.folder.string());
+  std::string messages =
+      fmt::format("{}messages    adit spy --mission {}\n", view.message, mission.folder.string());
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) {

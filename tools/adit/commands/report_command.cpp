@@ -13,8 +13,8 @@
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
-#include "tools/report/page/mission_html.hpp"
 #include "tools/report/report.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 

@@ -13,11 +13,6 @@
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 
-#include "viewer/server/viewer_server.hpp"
-#include "viewer/view/live_view.hpp"
-#include "viewer/view/log_view.hpp"
-#include "viewer/view/viewer_options.hpp"
-
 #include "common/bus/node/stop_signal.hpp"
 #include "common/command_line/command_line.hpp"
 #include "procs/supervisor/control/control_client.hpp"
@@ -25,6 +20,10 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/private_network.hpp"
+#include "viewer/server/viewer_server.hpp"
+#include "viewer/view/live_view.hpp"
+#include "viewer/view/log_view.hpp"
+#include "viewer/view/viewer_options.hpp"
 
 namespace adit {
 namespace {

@@ -4,24 +4,19 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
-#include "viewer/server/protocol.hpp"
-
-#include "common/files/file_utils.hpp"
 #include "common/files/gzip_encoder.hpp"
 #include "common/text/base64.hpp"
+#include "viewer/server/protocol.hpp"
 
 namespace adit {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::size_t kPageBytesMax = 16U << 20U;
 
 template <class T>
 void append_little_endian(std::string& bytes, T value) {
@@ -62,12 +57,6 @@ std::string compressed_data(const std::string& header,
 }
 
 }  // namespace
-
-std::optional<std::string> viewer_page() {
-  const std::filesystem::path path = find_installed_file("page.html", "viewer");
-  if (!std::filesystem::exists(path)) return std::nullopt;
-  return read_text_file(path, kPageBytesMax);
-}
 
 std::string mission_html(const std::string& page, const std::string& title,
                          const std::vector<Topic>& topics,

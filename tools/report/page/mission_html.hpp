@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/report/page/topic_recorder.hpp"
 #include "viewer/server/topic_board.hpp"
 
-#include "tools/report/page/topic_recorder.hpp"
-
 namespace adit {
-
-/// The page of the viewer as it was built, nothing if this build has none.
-/// Throws FileError if it is there and cannot be read.
-std::optional<std::string> viewer_page();
 
 /// The page with a finished mission inside: a file that shows it anywhere, without a network. The
 /// data are the element `mission-data`: in Base64 of gzip the length of a header (u32,

@@ -9,12 +9,11 @@
 #include <string_view>
 #include <utility>
 
-#include "viewer/scene/topic_schema.hpp"
-
 #include "tools/report/page/blockages.hpp"
 #include "tools/report/page/mission_html.hpp"
 #include "tools/report/page/mission_summary.hpp"
 #include "tools/report/page/scan_cards.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -6,11 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "viewer/scene/scene.hpp"
-
 #include "common/bus/bus.hpp"
 #include "tools/report/mission_statistics.hpp"
 #include "tools/report/page/topic_recorder.hpp"
+#include "viewer/scene/scene.hpp"
 
 namespace adit {
 

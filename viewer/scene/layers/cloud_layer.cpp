@@ -8,10 +8,9 @@
 #include <cstring>
 #include <unordered_set>
 
+#include "common/volume/voxel_grid.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
-
-#include "common/volume/voxel_grid.hpp"
 
 namespace adit {
 namespace {

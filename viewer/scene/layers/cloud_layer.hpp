@@ -9,12 +9,11 @@
 
 #include <Eigen/Core>
 
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/scene/scene_parameters.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/types/cloud.hpp"
-#include "common/types/terrain_map.hpp"
 
 namespace adit {
 

@@ -5,12 +5,11 @@
 #include <cstdint>
 #include <string>
 
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/records/event_record.hpp"
 #include "common/types/association.hpp"
 #include "common/types/mission.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

@@ -8,13 +8,12 @@
 #include <Eigen/Core>
 #include <fmt/format.h>
 
-#include "viewer/scene/foxglove_values.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/foxglove_values.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -5,11 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/types/exploration.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

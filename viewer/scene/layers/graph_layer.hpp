@@ -6,10 +6,9 @@
 #include <map>
 #include <string>
 
+#include "common/types/association.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/types/association.hpp"
 
 namespace adit {
 

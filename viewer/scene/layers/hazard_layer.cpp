@@ -9,14 +9,13 @@
 
 #include <fmt/format.h>
 
-#include "viewer/scene/foxglove_values.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/foxglove_values.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -9,15 +9,14 @@
 
 #include <Eigen/Core>
 
-#include "viewer/scene/layers/robot_layer.hpp"
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
+#include "viewer/scene/layers/robot_layer.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

@@ -9,11 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -10,10 +10,9 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/pose2.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
-
-#include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {

@@ -9,18 +9,17 @@
 #include <string>
 #include <vector>
 
-#include "viewer/scene/anchored_path.hpp"
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/scene/map_raster.hpp"
-#include "viewer/scene/scene_parameters.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/grid/occupancy_grid.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/local_map.hpp"
 #include "common/types/terrain_map.hpp"
+#include "viewer/scene/anchored_path.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/scene/map_raster.hpp"
+#include "viewer/scene/scene_parameters.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

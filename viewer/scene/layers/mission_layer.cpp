@@ -7,9 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/exploration.hpp"
@@ -19,6 +16,8 @@
 #include "common/messages/sensing.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

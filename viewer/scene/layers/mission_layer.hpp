@@ -8,9 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/sensing/vehicle_readings.hpp"
@@ -18,6 +15,8 @@
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
 #include "common/types/vehicle_state.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

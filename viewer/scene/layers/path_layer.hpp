@@ -6,11 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "common/types/planned_path.hpp"
 #include "viewer/scene/anchored_path.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
-
-#include "common/types/planned_path.hpp"
 
 namespace adit {
 

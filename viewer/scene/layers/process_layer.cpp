@@ -8,14 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/procman.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -8,11 +8,10 @@
 #include <map>
 #include <string>
 
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/types/procman.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

@@ -6,13 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/scene/foxglove_values.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/node/recorded_section.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/sensing.hpp"
+#include "viewer/scene/foxglove_values.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

@@ -8,14 +8,13 @@
 
 #include <Eigen/Geometry>
 
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

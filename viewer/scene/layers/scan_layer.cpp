@@ -8,14 +8,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "viewer/scene/json_text.hpp"
-#include "viewer/scene/topic_schema.hpp"
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/sensing/seconds.hpp"
+#include "viewer/scene/json_text.hpp"
+#include "viewer/scene/topic_schema.hpp"
 
 namespace adit {
 namespace {

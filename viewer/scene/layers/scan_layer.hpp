@@ -7,13 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "viewer/scene/map_frame.hpp"
-#include "viewer/server/topic_board.hpp"
-
 #include "common/bus/bus.hpp"
 #include "common/sensing/laser_tilt.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/planned_path.hpp"
+#include "viewer/scene/map_frame.hpp"
+#include "viewer/server/topic_board.hpp"
 
 namespace adit {
 

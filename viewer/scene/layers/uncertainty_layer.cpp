@@ -8,10 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "common/geometry/symmetric_eigen.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"
-
-#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/page/mission_summary.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -43,10 +44,15 @@ std::string end_phrase(const MissionStatistics& statistics) {
 std::string explored_phrase(const MissionStatistics& statistics) {
   if (!statistics.frontiers) return "";
   const std::string length = metres(statistics.explored_m.value_or(0.0), 0);
-  const std::size_t open = statistics.frontiers->visitable;
-  if (open == 0) return fmt::format("explored what it can reach, {} of tunnel", length);
-  return fmt::format("explored {} of tunnel, {} still to be visited", length,
-                     count_text(open, "frontier"));
+  const FrontierCounts& frontiers = *statistics.frontiers;
+  if (frontiers.open == 0) return fmt::format("explored what it can reach, {} of tunnel", length);
+  std::string phrase = fmt::format("explored {} of tunnel, not completely", length);
+  const auto add = [&phrase](std::size_t count, const char* what) {
+    if (count > 0) phrase += fmt::format(", {} {}", count_text(count, "frontier"), what);
+  };
+  add(frontiers.visitable, "still to be visited");
+  add(frontiers.unconfirmed, "abandoned without evidence of a blockage");
+  return phrase;
 }
 
 /// "water at 36 m"; what is not proven is said to be so.
@@ -61,10 +67,11 @@ std::string blockages_phrase(const std::vector<Blockage>& blockages) {
     seen_m += blockage.seen_beyond_m;
     frontier_m += blockage.frontier_m;
   }
-  const std::string what =
-      blockages.size() == 1
-          ? fmt::format("what blocks the tunnel ({})", place_phrase(blockages.front()))
-          : fmt::format("what blocks the tunnel at {} places", blockages.size());
+  const bool proven = std::ranges::all_of(blockages, &Blockage::is_proven);
+  const std::string limit = proven ? "what blocks the tunnel" : "where no path was found";
+  const std::string what = blockages.size() == 1
+                               ? fmt::format("{} ({})", limit, place_phrase(blockages.front()))
+                               : fmt::format("{} at {} places", limit, blockages.size());
   return fmt::format("{} seen beyond {}; {} of frontier behind it unknown", metres(seen_m, 0), what,
                      metres(frontier_m, 1));
 }

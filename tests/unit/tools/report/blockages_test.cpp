@@ -67,6 +67,20 @@ TEST(Blockages, StateWhatWasSeenBeyondTheWaterAndWhatIsUnknown) {
   EXPECT_THAT(text, HasSubstr("2.5\u00A0m of frontier behind it unknown"));
 }
 
+TEST(Blockages, AreNotSaidToBlockWhatWasAbandonedWithoutEvidence) {
+  const auto found =
+      blockages({frontier_at(44.4, FrontierState::kUnconfirmed, kObstacle)}, drive(), nullptr);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].is_proven);
+  MissionStatistics statistics = at_home();
+  statistics.frontiers->open = 1;
+  statistics.frontiers->unconfirmed = 1;
+  const std::string text = headline(statistics, found);
+  EXPECT_THAT(text, Not(HasSubstr("what it can reach")));
+  EXPECT_THAT(text, HasSubstr("1 frontier abandoned without evidence of a blockage"));
+  EXPECT_THAT(text, Not(HasSubstr("blocks the tunnel")));
+}
+
 /// A tunnel of 50 m, of which the robot drove 36; a beam saw each cell once.
 TEST(Blockages, MeasureTheGroundThatWasSeenInTheMap) {
   OccupancyGrid grid{OccupancyGridParams{}};

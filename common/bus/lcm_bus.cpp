@@ -20,6 +20,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/seal.hpp"
 #include "common/messages/sim.hpp"
+#include "common/service/wall_time.hpp"
 
 namespace adit {
 namespace {
@@ -33,11 +34,6 @@ constexpr std::size_t kSealQueue = 100;
 constexpr std::int64_t kChallengePeriodUs = 100'000;
 constexpr std::int64_t kWaitMaxUs =
     10'000'000;  // of a message in LCM's queue, while a handler runs
-
-std::int64_t wall_utime() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
 
 constexpr int kNoDescriptor = -1;  // ignored by poll
 constexpr int kIdleTimeoutMs = 1000;

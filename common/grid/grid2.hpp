@@ -38,6 +38,18 @@ struct CellBox {
   }
 };
 
+/// The smallest box around both.
+inline CellBox united(const CellBox& a, const CellBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {a.from.cwiseMin(b.from), a.to.cwiseMax(b.to)};
+}
+
+/// The smallest box around a box and a cell.
+inline CellBox united(const CellBox& box, const Eigen::Vector2i& cell) {
+  return united(box, CellBox{cell, cell + Eigen::Vector2i(1, 1)});
+}
+
 /// A value for each cell of a box, stored row by row from the lowest row. The common storage of all
 /// planar grids: occupancy, terrain, C-space and the layers of exploration.
 template <class T>

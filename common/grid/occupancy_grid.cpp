@@ -16,11 +16,6 @@ namespace {
 
 constexpr double kFarthestCell = 1e8;  // keeps coordinates far below the limit of int
 
-CellBox united(const CellBox& a, const CellBox& b) {
-  if (a.empty()) return b;
-  return {a.from.cwiseMin(b.from), a.to.cwiseMax(b.to)};
-}
-
 /// A box around `needed` with a margin, so that the map grows much less often than scans arrive.
 CellBox with_margin(const CellBox& needed, const CellBox& present) {
   CellBox box = needed;
@@ -49,7 +44,7 @@ bool OccupancyGrid::insert(const LaserScan& scan, const Pose2& T_map_laser) {
   CellBox needed{cell_at(start), cell_at(start) + Eigen::Vector2i(1, 1)};
   for (const Eigen::Vector2d& end : ends) {
     const Eigen::Vector2i cell = cell_at(end);
-    needed = united(needed, {cell, cell + Eigen::Vector2i(1, 1)});
+    needed = united(needed, cell);
   }
   if (!reserve(needed)) return false;
 
@@ -87,7 +82,7 @@ CellBox OccupancyGrid::observed_box() const {
     for (int i = box.from.x(); i < box.to.x(); ++i) {
       const Eigen::Vector2i cell(i, j);
       if (state(cell) == CellState::kUnknown || observed.contains(cell)) continue;
-      observed = united(observed, {cell, cell + Eigen::Vector2i(1, 1)});
+      observed = united(observed, cell);
     }
   }
   return observed;

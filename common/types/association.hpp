@@ -50,6 +50,11 @@ struct Association {
   double log_likelihood = 0.0;    ///< of all measurements given all decisions, after this one
   std::string reason;             ///< a short sentence for the operator
 
+  /// Whether a loop closure that was in force has none of its alternatives any more.
+  [[nodiscard]] bool revokes() const {
+    return action == Action::kRevised && chosen == kNone && previously_chosen != kNone;
+  }
+
   friend bool operator==(const Association&, const Association&) = default;
 };
 

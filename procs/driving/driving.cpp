@@ -25,15 +25,6 @@ double response_share(double clearance_m, double clearance_full_m) {
   return std::clamp(clearance_m / clearance_full_m, kResponseShareMin, 1.0);
 }
 
-double length_of(const std::vector<PathPoint>& points) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length_m +=
-        (points[i].T_odom_body.translation() - points[i - 1].T_odom_body.translation()).norm();
-  }
-  return length_m;
-}
-
 }  // namespace
 
 Driving::Driving(const DrivingParams& params)
@@ -50,7 +41,7 @@ void Driving::follow(const PlannedPath& path) {
   state_ = {state_.utime, path.id, Kind::kIdle, path.reason, 0.0, 0.0, {}};
   if (path.outcome != PlanOutcome::kFound || path.points.empty()) return;
   state_.reason = "the path exceeds the maximum length";
-  if (!(length_of(path.points) <= kPathLengthMaxM)) return;
+  if (!(path_length_m(path) <= kPathLengthMaxM)) return;
   state_.kind = Kind::kDriving;
   state_.reason.clear();
   std::vector<PathRun> runs = split_into_runs(path.points, steered_);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "common/config/number_text.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
+#include "common/service/wall_time.hpp"
 
 namespace adit {
 namespace {

@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/service/wall_time.hpp"
 #include "procs/supervisor/management/stop_sequence.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {

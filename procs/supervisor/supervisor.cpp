@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "common/process_list/process_list.hpp"
+#include "common/service/wall_time.hpp"
 #include "common/text/message_text.hpp"
 #include "procs/supervisor/fleet_status.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {

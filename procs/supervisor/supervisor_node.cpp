@@ -9,8 +9,8 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/procman.hpp"
+#include "common/service/wall_time.hpp"
 #include "common/text/message_text.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {

@@ -18,6 +18,7 @@
 #include "common/command_line/command_line.hpp"
 #include "common/config/config.hpp"
 #include "common/config/number_text.hpp"
+#include "common/service/wall_time.hpp"
 #include "common/text/message_text.hpp"
 #include "sim/live/live_simulator.hpp"
 #include "sim/live/sim_config.hpp"
@@ -35,11 +36,6 @@ constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
 std::int64_t full_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::round<std::chrono::seconds>(now).count() * kSecondUs;
-}
-
-std::int64_t wall_us() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
 LcmBusOptions bus_options(const LiveRunOptions& run) {
@@ -67,13 +63,13 @@ void listen(LcmBus& bus, std::int64_t wait_us) {
 }
 
 void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
-  while (!simulator.done() && !stop.received()) listen(bus, simulator.advance(wall_us()));
+  while (!simulator.done() && !stop.received()) listen(bus, simulator.advance(steady_us()));
 }
 
 /// Handles messages until none has arrived for a while, since no message marks the last one.
 void drain(LcmBus& bus) {
-  const std::int64_t end_us = wall_us() + kDrainMaxUs;
-  while (bus.handle(kQuietMs) && wall_us() < end_us) {
+  const std::int64_t end_us = steady_us() + kDrainMaxUs;
+  while (bus.handle(kQuietMs) && steady_us() < end_us) {
   }
 }
 

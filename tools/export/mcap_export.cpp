@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/export/mcap_export.hpp"
 
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -10,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "common/bus/log/event_source.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/version.hpp"
-#include "common/messages/fields/quantities.hpp"
 #include "common/text/base64.hpp"
 #include "tools/export/mcap_writer.hpp"
 #include "viewer/scene/scene.hpp"
@@ -24,7 +23,6 @@ constexpr std::int64_t kWritePeriodUs = 10'000;  // topics have longer periods, 
 // A topic of large messages (map, volume) is written as rarely as keeps it below this rate, and at
 // the end.
 constexpr double kTopicBytesPerUs = 0.1;
-constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;  // longer ones are damaged times
 constexpr std::size_t kEventsPerProgress = 10'000;
 
 McapWriter::Schema schema_of(const Topic& topic) {
@@ -46,8 +44,7 @@ class SceneRecorder {
 
   /// Events in order of time; one with a damaged time is skipped.
   void play(const LogEventView& event) {
-    const bool gap = bus_.now_utime() != 0 && event.utime - bus_.now_utime() >= kGapMaxUs;
-    if (!is_plausible_utime(event.utime) || gap) {
+    if (!is_playable_after(event.utime, bus_.now_utime())) {
       ++skipped_;
       return;
     }
@@ -57,7 +54,7 @@ class SceneRecorder {
 
   /// Writes what has changed since it was written, too.
   McapExport close(const std::vector<std::filesystem::path>& logs) {
-    write_changed();
+    write(board_.take_changed());
     if (writer_.messages() == 0)
       throw std::runtime_error(
           fmt::format("no message for the viewer in {}", logs.front().string()));
@@ -70,25 +67,23 @@ class SceneRecorder {
   }
 
  private:
-  void write_due(std::int64_t utime) { write(utime, bus_.now_utime()); }
-
-  /// `due_utime`: for the periods of the topics.
-  void write(std::int64_t due_utime, std::int64_t log_utime) {
-    write_utime_ = due_utime;
-    const auto is_due = [&](TopicId topic) {
+  /// `utime`: for the periods of the topics.
+  void write_due(std::int64_t utime) {
+    write_utime_ = utime;
+    write(board_.take_due(utime, [&](TopicId topic) {
       const bool appended = board_.topics()[topic].retention == Retention::kAppended;
-      return appended || due_utime >= next_utime_[topic];
-    };
-    for (const TopicBoard::Update& update : board_.take_due(due_utime, is_due)) {
-      next_utime_[update.topic] =
-          log_utime + static_cast<std::int64_t>(static_cast<double>(update.message.bytes->size()) /
-                                                kTopicBytesPerUs);
-      writer_.write(channels_[update.topic], log_utime, update.message.utime,
-                    *update.message.bytes);
-    }
+      return appended || utime >= next_utime_[topic];
+    }));
   }
 
-  void write_changed() { write(std::numeric_limits<std::int64_t>::max(), bus_.now_utime()); }
+  void write(const std::vector<TopicBoard::Update>& updates) {
+    const std::int64_t log_utime = bus_.now_utime();
+    for (const auto& [topic, message] : updates) {
+      const auto bytes = static_cast<double>(message.bytes->size());
+      next_utime_[topic] = log_utime + static_cast<std::int64_t>(bytes / kTopicBytesPerUs);
+      writer_.write(channels_[topic], log_utime, message.utime, *message.bytes);
+    }
+  }
 
   MemoryBus bus_;
   TopicBoard board_;
@@ -99,14 +94,6 @@ class SceneRecorder {
   std::int64_t write_utime_ = 0;
   std::size_t skipped_ = 0;
 };
-
-void add_warnings(const LogHealth& health, const std::filesystem::path& log,
-                  std::vector<std::string>& warnings) {
-  const std::string name = log.filename().string();
-  if (health.corrupt_bytes > 0)
-    warnings.push_back(fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, name));
-  if (health.truncated_bytes > 0) warnings.push_back(name + " is truncated within an event");
-}
 
 }  // namespace
 
@@ -125,7 +112,8 @@ McapExport export_mcap(const std::vector<std::filesystem::path>& given,
       const double share = static_cast<double>(events) / static_cast<double>(log.size());
       progress((static_cast<double>(i) + share) / static_cast<double>(logs.size()));
     }
-    add_warnings(log.health(), logs[i], warnings);
+    for (std::string& warning : damage_warnings(log.health(), logs[i].filename().string()))
+      warnings.push_back(std::move(warning));
   }
   McapExport result = recorder.close(logs);
   warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());

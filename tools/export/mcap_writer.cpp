@@ -8,6 +8,7 @@
 
 #include <zlib.h>
 
+#include "common/files/little_endian.hpp"
 #include "common/files/zstd_stream.hpp"
 
 namespace adit {
@@ -37,9 +38,8 @@ enum : std::uint8_t {
 /// Appends the fields of a record, little-endian.
 class Fields {
  public:
-  Fields& number(std::uint64_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i)
-      bytes_.push_back(static_cast<char>(value >> static_cast<unsigned>(8 * i)));
+  Fields& number(std::uint64_t value, std::size_t bytes) {
+    append_little_endian(bytes_, value, bytes);
     return *this;
   }
   Fields& u16(std::uint64_t value) { return number(value, 2); }

@@ -24,6 +24,7 @@
 #include "common/files/disk_space.hpp"
 #include "common/files/locked_file.hpp"
 #include "common/sensing/seconds.hpp"
+#include "common/service/wall_time.hpp"
 #include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/os/child_process.hpp"
 #include "tools/mission/mission_folder.hpp"
@@ -141,11 +142,6 @@ constexpr int kPollMs = 50;
 constexpr double kFullMb = 1.0;                     // less is a full disk
 constexpr std::uint64_t kReservationTested = 4096;  // bytes
 
-std::int64_t wall_us() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
-
 /// Other programs join the network of this process by its id.
 void write_pid(const LockedFile& file) {
   const std::string text = fmt::format("{}\n", getpid());
@@ -177,12 +173,12 @@ class LiveMission {
   }
 
   MissionLiveResult run(const StopSignal& stop, const MissionLiveProgress& progress) {
-    const std::int64_t begin_us = wall_us();
+    const std::int64_t begin_us = steady_us();
     std::int64_t progress_us = begin_us;
     MissionLiveResult result;
     while (result.abort_reason.empty() && !monitor_.has_ended()) {
       handle_messages();
-      const std::int64_t now_us = wall_us();
+      const std::int64_t now_us = steady_us();
       result.abort_reason = abort_reason(stop, now_us);
       restart_timed_out_stages(now_us);
       report_record();
@@ -193,7 +189,7 @@ class LiveMission {
       progress_us = now_us;
       if (progress) progress(monitor_.progress(), seconds(now_us - begin_us));
     }
-    result.wall_s = seconds(wall_us() - begin_us);
+    result.wall_s = seconds(steady_us() - begin_us);
     result.interrupted = stop.received();
     supervisor_.stop();
     result.trace_failure = monitor_.trace_failure();

@@ -112,13 +112,17 @@ void enter_network_of(pid_t pid) {
   }
 }
 
-void enter_network_of_mission(const fs::path& folder) {
+std::optional<pid_t> process_of_mission(const fs::path& folder) {
   pid_t pid = 0;
   std::ifstream(folder / "mission.pid") >> pid;
-  if (pid <= 0 || !fs::exists(fmt::format("/proc/{}", pid))) {
-    throw std::runtime_error(fmt::format("no mission is running in {}", folder.string()));
-  }
-  enter_network_of(pid);
+  const bool runs = pid > 0 && fs::exists(fmt::format("/proc/{}", pid));
+  return runs ? std::optional(pid) : std::nullopt;
+}
+
+void enter_network_of_mission(const fs::path& folder) {
+  const std::optional<pid_t> process = process_of_mission(folder);
+  if (!process) throw std::runtime_error("no mission is running in " + folder.string());
+  enter_network_of(*process);
   unsetenv("LCM_DEFAULT_URL");
 }
 

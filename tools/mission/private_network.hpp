@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <sys/types.h>
 
@@ -16,6 +17,9 @@ bool enter_private_network();
 
 /// Joins the network of another process of the same user. Throws std::runtime_error.
 void enter_network_of(pid_t pid);
+
+/// A process on the network of the mission that runs in a folder; nothing if none runs there.
+std::optional<pid_t> process_of_mission(const std::filesystem::path& folder);
 
 /// Joins the network of the mission that runs in a folder, where LCM has its default URL. Throws
 /// std::runtime_error if none runs there.

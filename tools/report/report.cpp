@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 void store_log(const std::vector<fs::path>& logs, const fs::path& folder,
                const fs::path& unfinished) {
   const bool compressed = logs.front().extension() == LogWriter::kCompressedExtension;
-  const char* const name = compressed ? "run.lcmlog.zst" : "run.lcmlog";
+  const fs::path name = compressed ? compressed_name("run.lcmlog") : "run.lcmlog";
   const fs::path target = unfinished / name;
   std::error_code error;
   if (fs::equivalent(logs.front(), folder / name, error)) return;

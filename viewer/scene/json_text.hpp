@@ -10,8 +10,9 @@
 namespace adit {
 
 /// JSON as text; bytes that are not UTF-8 are replaced.
-inline std::string json_text(const nlohmann::json& value) {
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+template <class Json = nlohmann::json>
+std::string json_text(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// The value, or null if there is none.

@@ -38,7 +38,7 @@ Scene::Scene(Bus& bus, TopicBoard& board, const SceneParameters& parameters)
       processes_(bus, board, [this] { return now_utime(); }),
       events_(bus, board),
       scans_(bus, board, frame_),
-      history_(board, frame_, robot_, mission_) {
+      history_(board, frame_, mission_) {
   subscribe_map();
   subscribe_path();
   subscribe_scans();

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/files/little_endian.hpp"
+
 namespace adit::foxglove_protocol {
 namespace {
 
@@ -64,9 +66,7 @@ void append(std::string& bytes, T value) {
   if constexpr (std::is_same_v<T, float>) {
     append(bytes, std::bit_cast<std::uint32_t>(value));
   } else {
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      bytes.push_back(static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * i)));
-    }
+    append_little_endian(bytes, value);
   }
 }
 

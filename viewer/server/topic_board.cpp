@@ -52,19 +52,32 @@ bool TopicBoard::encode(Content& content) {
   return true;
 }
 
-std::vector<TopicBoard::Update> TopicBoard::take_due(std::int64_t wall_us,
-                                                     const std::function<bool(TopicId)>& wanted) {
+std::vector<TopicBoard::Update> TopicBoard::take(const std::function<bool(TopicId)>& wanted,
+                                                 const std::function<bool(TopicId)>& is_due) {
   std::vector<Update> updates;
   std::swap(updates, appended_);
   std::erase_if(updates, [&](const Update& update) { return !wanted(update.topic); });
   for (TopicId id = 0; id < topics_.size(); ++id) {
     Content& content = contents_[id];
-    if (!content.changed || !wanted(id)) continue;
-    if (wall_us < content.encoded_wall_us + topics_[id].period_us) continue;
-    content.encoded_wall_us = wall_us;
+    if (!content.changed || !is_due(id)) continue;
     if (encode(content)) updates.push_back({id, content.newest});
   }
   return updates;
+}
+
+std::vector<TopicBoard::Update> TopicBoard::take_due(std::int64_t wall_us,
+                                                     const std::function<bool(TopicId)>& wanted) {
+  return take(wanted, [&](TopicId id) {
+    Content& content = contents_[id];
+    if (wall_us < content.encoded_wall_us + topics_[id].period_us || !wanted(id)) return false;
+    content.encoded_wall_us = wall_us;
+    return true;
+  });
+}
+
+std::vector<TopicBoard::Update> TopicBoard::take_changed() {
+  const auto all = [](TopicId) { return true; };
+  return take(all, all);
 }
 
 std::vector<TopicMessage> TopicBoard::current(TopicId topic) {

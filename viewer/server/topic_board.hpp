@@ -70,6 +70,9 @@ class TopicBoard {
   /// are wanted.
   std::vector<Update> take_due(std::int64_t wall_us, const std::function<bool(TopicId)>& wanted);
 
+  /// All that has changed since it was taken, whatever the periods: at the end of a recording.
+  std::vector<Update> take_changed();
+
   /// What a new client gets: the newest message, or all that are kept.
   std::vector<TopicMessage> current(TopicId topic);
 
@@ -87,6 +90,9 @@ class TopicBoard {
     std::deque<Kept> kept;
   };
 
+  /// Of the appended messages those of wanted topics, and the changed topics for which it holds.
+  std::vector<Update> take(const std::function<bool(TopicId)>& wanted,
+                           const std::function<bool(TopicId)>& is_due);
   /// False if there is no content.
   static bool encode(Content& content);
 

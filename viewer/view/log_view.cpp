@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "common/service/wall_time.hpp"
 #include "viewer/view/log_player.hpp"
 #include "viewer/view/topic_server.hpp"
 
@@ -17,11 +18,6 @@ using foxglove_protocol::PlaybackControl;
 
 constexpr auto kPause = std::chrono::milliseconds(5);
 constexpr std::int64_t kStatePeriodUs = 250'000;
-
-std::int64_t steady_us() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
 
 /// The same for the same logs, so that a page keeps what it has when the viewer is restarted.
 foxglove_protocol::ServerInfo info_of(const LogPlayer& player, const ViewerOptions& options) {

@@ -2,20 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/view/order_service.hpp"
 
-#include <array>
-#include <cerrno>
-#include <chrono>
 #include <map>
-#include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/random.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mission.hpp"
+#include "common/seal/secret_text.hpp"
+#include "common/service/wall_time.hpp"
 
 namespace adit {
 namespace {
@@ -34,37 +30,13 @@ const std::map<std::string, MissionOrder::Kind, std::less<>> kOrders{
     {"return_home", MissionOrder::Kind::kReturnHome},
     {"stop", MissionOrder::Kind::kStop}};
 
-/// In a time that does not depend on where they differ.
-bool are_equal(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  unsigned difference = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference |= static_cast<unsigned char>(a[i]) ^ static_cast<unsigned char>(b[i]);
-  return difference == 0;
-}
-
 /// A text of an object; empty if there is none.
 std::string text_in(const json& object, const char* name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-std::int64_t wall_utime() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
-
 }  // namespace
-
-std::string new_order_token() {
-  std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    throw std::system_error(errno, std::generic_category(), "random bytes");
-  std::string token;
-  for (const unsigned byte : bytes) token += fmt::format("{:02x}", byte);
-  return token;
-}
 
 OrderService::OrderService(Bus& bus, std::string token, ControlProcess control_process)
     : bus_(bus), token_(std::move(token)), control_process_(std::move(control_process)) {
@@ -92,7 +64,7 @@ Result<std::string> OrderService::call(const foxglove_protocol::ServiceCall& cal
   if (call.payload.size() > kRequestBytesMax) return Rejected{"the request is too large"};
   const json request = json::parse(call.payload, nullptr, false);
   if (!request.is_object()) return Rejected{"the request is not a JSON object"};
-  if (!are_equal(text_in(request, "token"), token_)) return Rejected{"wrong token"};
+  if (!secrets_are_equal(text_in(request, "token"), token_)) return Rejected{"wrong token"};
   if (call.service == kOrderId) return order(text_in(request, "order"));
   if (call.service == kProcessId)
     return control(text_in(request, "action"), text_in(request, "process"));

@@ -16,9 +16,6 @@
 
 namespace adit {
 
-/// 128 random bits of the system, in hexadecimal digits. Throws std::system_error.
-std::string new_order_token();
-
 /// Takes orders of clients that know a token: the services adit/order, with the orders of
 /// `adit order`, and adit/process, which starts, stops and restarts processes.
 class OrderService {

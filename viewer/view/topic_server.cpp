@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "viewer/view/topic_server.hpp"
 
-#include <chrono>
 #include <utility>
 #include <vector>
+
+#include "common/service/wall_time.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kTimePeriodUs = 100'000;
-
-std::int64_t wall_us() {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
-
 }  // namespace
 
 TopicServer::TopicServer(const ViewerServerOptions& options,
@@ -33,7 +28,7 @@ ViewerServer::Handlers TopicServer::with_board(ViewerServer::Handlers handlers) 
 void TopicServer::poll(std::int64_t utime) {
   server_.poll();
   if (server_.clients() == 0) return;
-  const std::int64_t now_us = wall_us();
+  const std::int64_t now_us = steady_us();
   const auto wanted = [this](TopicId topic) { return server_.has_subscriber(topic); };
   for (const TopicBoard::Update& update : board_->take_due(now_us, wanted))
     server_.publish(update.topic, update.message);

@@ -35,17 +35,9 @@ void release(const MappedFile& file, std::size_t before, std::size_t& released) 
   released = before;
 }
 
-void add(const LogHealth& part, LogHealth& sum) {
-  sum.events += part.events;
-  sum.corrupt_bytes += part.corrupt_bytes;
-  sum.corrupt_regions += part.corrupt_regions;
-  sum.truncated_bytes += part.truncated_bytes;
-}
-
-void add(const ZstdDecoder::Damage& damage, LogHealth& sum) {
-  sum.corrupt_bytes += damage.corrupt_bytes;
-  sum.corrupt_regions += damage.corrupt_regions;
-  sum.truncated_bytes += damage.truncated_bytes;
+/// The damage of the compression.
+LogHealth health_of(const ZstdDecoder::Damage& damage) {
+  return {0, damage.corrupt_bytes, damage.corrupt_regions, damage.truncated_bytes};
 }
 
 }  // namespace
@@ -103,7 +95,7 @@ std::optional<LogEventView> LogReader::next() {
 /// Moves the window on. It keeps what the parser cannot decide yet, and then at least doubles, so
 /// that a long event is not parsed again and again.
 void LogReader::unpack_more() {
-  add(parser_.health(), before_);
+  before_ += parser_.health();
   window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(parser_.position()));
   const std::size_t size = std::max(kWindowBytes, 2 * window_.size());
   while (window_.size() < size && !unpacked_) unpacked_ = !decoder_->read(window_);
@@ -113,8 +105,8 @@ void LogReader::unpack_more() {
 
 LogHealth LogReader::health() const {
   LogHealth health = before_;
-  add(parser_.health(), health);
-  if (decoder_) add(decoder_->damage(), health);
+  health += parser_.health();
+  if (decoder_) health += health_of(decoder_->damage());
   return health;
 }
 
@@ -132,7 +124,7 @@ LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : byt
     events_.push_back(*event);
   }
   health_ = parser.health();
-  add(bytes_.damage(), health_);
+  health_ += health_of(bytes_.damage());
   if (events_.empty() && !bytes_.bytes().empty()) {
     throw std::runtime_error(path.string() + ": not an LCM log");
   }
@@ -143,6 +135,12 @@ std::optional<LogEventView> LogFile::next() {
   if (next_ == events_.size()) return std::nullopt;
   bytes_.release_before(events_[next_].channel.data());
   return events_[next_++];
+}
+
+bool is_playable_after(std::int64_t utime, std::int64_t before_utime) {
+  constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;
+  if (!is_plausible_utime(utime)) return false;
+  return before_utime == 0 || utime - before_utime < kGapMaxUs;
 }
 
 namespace {

@@ -126,6 +126,10 @@ class LogFile final : public EventSource {
   std::size_t next_ = 0;
 };
 
+/// Whether an event can be played after one of `before_utime`, 0 before the first. After a gap of a
+/// day its time is damaged, and a bus would run its timers over the gap.
+bool is_playable_after(std::int64_t utime, std::int64_t before_utime);
+
 /// The logs by the time of their first event, whatever their names: `lcm-logger --rotate` gives the
 /// newest one the first name. Logs without an event come last. Throws std::runtime_error for a log
 /// that cannot be read.

@@ -7,9 +7,28 @@
 #include <cstring>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/files/file_error.hpp"
 
 namespace adit {
+
+LogHealth& LogHealth::operator+=(const LogHealth& part) {
+  events += part.events;
+  corrupt_bytes += part.corrupt_bytes;
+  corrupt_regions += part.corrupt_regions;
+  truncated_bytes += part.truncated_bytes;
+  return *this;
+}
+
+std::vector<std::string> damage_warnings(const LogHealth& health, const std::string& file) {
+  std::vector<std::string> warnings;
+  if (health.corrupt_bytes > 0)
+    warnings.push_back(fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, file));
+  if (health.truncated_bytes > 0) warnings.push_back(file + " is truncated within an event");
+  return warnings;
+}
+
 namespace {
 
 using log_format::kHeaderBytes;

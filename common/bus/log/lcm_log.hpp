@@ -54,7 +54,12 @@ struct LogHealth {
   std::size_t corrupt_bytes = 0;    ///< skipped, in all corrupt regions
   std::size_t corrupt_regions = 0;  ///< times that the reader searched for the next event
   std::size_t truncated_bytes = 0;  ///< of an incomplete event at the end of the file
+
+  LogHealth& operator+=(const LogHealth& part);
 };
+
+/// What is wrong with a log, for a person; one clause each.
+std::vector<std::string> damage_warnings(const LogHealth& health, const std::string& file);
 
 /// Parses the events of an LCM log from arbitrary bytes, in the order of the file. Where no event
 /// begins, the parser searches for the next one. An event is corrupt if no event follows at its end

@@ -29,12 +29,10 @@ WallPart wall_part_at(std::size_t first, const Grid2<Occupancy>& known,
   WallPart part;
   part.cells = {first};
   visited[first] = 1;
-  part.box.from = part.box.to = known.cell(first);
   const auto around = known.around();
   for (std::size_t i = 0; i < part.cells.size(); ++i) {
     const std::size_t at = part.cells[i];
-    part.box.from = part.box.from.cwiseMin(known.cell(at));
-    part.box.to = part.box.to.cwiseMax(known.cell(at));
+    part.box = united(part.box, known.cell(at));
     for (const std::ptrdiff_t step : around) {
       const std::size_t next = at + static_cast<std::size_t>(step);
       if (known[next] == Occupancy::kUnseen) ++part.beside_unseen;
@@ -48,8 +46,8 @@ WallPart wall_part_at(std::size_t first, const Grid2<Occupancy>& known,
 }
 
 bool stands_free(const WallPart& part, double resolution_m) {
-  const Eigen::Vector2i size = part.box.to - part.box.from + Eigen::Vector2i::Ones();
-  if (resolution_m * size.maxCoeff() > CorridorWidth::kStandsFreeMaxM + 1e-9) return false;
+  if (resolution_m * part.box.size().maxCoeff() > CorridorWidth::kStandsFreeMaxM + 1e-9)
+    return false;
   const auto contacts = static_cast<double>(part.beside_free + part.beside_unseen);
   return static_cast<double>(part.beside_unseen) <= kUnseenShareMax * contacts;
 }

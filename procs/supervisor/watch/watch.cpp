@@ -19,8 +19,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/service/wall_time.hpp"
 #include "procs/supervisor/os/procfs.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {

@@ -13,6 +13,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mission.hpp"
+#include "common/seal/secret_text.hpp"
 
 namespace adit {
 namespace {
@@ -93,8 +94,8 @@ TEST_F(OrderServiceTest, ControlsProcesses) {
 }
 
 TEST(OrderToken, DiffersEachTime) {
-  EXPECT_EQ(new_order_token().size(), 32U);
-  EXPECT_NE(new_order_token(), new_order_token());
+  EXPECT_EQ(random_secret().size(), 32U);
+  EXPECT_NE(random_secret(), random_secret());
 }
 
 }  // namespace

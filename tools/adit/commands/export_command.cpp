@@ -83,8 +83,7 @@ void export_to_lcmlog(const ExportOptions& options) {
         progress.update("exporting", (static_cast<double>(i) + reader.fraction_read()) /
                                          static_cast<double>(logs.size()));
       }
-      lost.corrupt_bytes += reader.health().corrupt_bytes;
-      lost.truncated_bytes += reader.health().truncated_bytes;
+      lost += reader.health();
     }
   }
   if (writer.events() == 0) {

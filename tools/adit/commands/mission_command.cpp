@@ -79,13 +79,11 @@ class MissionProgressPrinter {
 
 constexpr int kExitNotReturned = 1;
 
-constexpr std::uint16_t kViewPort = 8765;
-
 struct MissionOptions {
   MissionLiveOptions mission;
   bool in_process = false;
   bool no_view = false;
-  int view_port = kViewPort;
+  int view_port = ViewerParameters{}.port;
 };
 
 constexpr const char* kMissionDetails =
@@ -177,15 +175,15 @@ struct View {
 /// Opens the port of the live view in the network of the user, before the mission enters its own.
 /// Another port than `port` if that is in use.
 View open_view(int port) try {
-  constexpr const char* kAddress = "127.0.0.1";
+  const std::string address = ViewerParameters{}.address;
   View view;
   try {
-    view.socket = listen_on(kAddress, static_cast<std::uint16_t>(port));
+    view.socket = listen_on(address, static_cast<std::uint16_t>(port));
   } catch (const std::runtime_error& error) {
     view.message = fmt::format("{}; the live view uses another port\n", error.what());
-    view.socket = listen_on(kAddress, 0);
+    view.socket = listen_on(address, 0);
   }
-  view.message += fmt::format("live view   {}\n", browser_address(kAddress, port_of(*view.socket)));
+  view.message += fmt::format("live view   {}\n", browser_address(address, port_of(*view.socket)));
   return view;
 } catch (const std::runtime_error& error) {
   return {.message = fmt::format("no live view: {}\n", error.what())};

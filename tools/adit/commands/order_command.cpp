@@ -18,6 +18,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/command_line/command_line.hpp"
 #include "common/messages/mission.hpp"
+#include "common/service/wall_time.hpp"
 #include "common/text/message_text.hpp"
 #include "common/types/mission.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -85,9 +86,7 @@ std::string order_mission(const MissionOrderOptions& options) {
                      [&](const MissionPhase& received) { phase = received; });
   const auto deadline = Clock::now() + std::chrono::duration<double>(options.timeout_s);
   while (Clock::now() < deadline) {
-    const auto utime = std::chrono::duration_cast<std::chrono::microseconds>(
-        std::chrono::system_clock::now().time_since_epoch());
-    publish(bus, channels::kMissionOrder, to_message(MissionOrder{utime.count(), options.order}));
+    publish(bus, channels::kMissionOrder, to_message(MissionOrder{wall_utime(), options.order}));
     const auto repeat = Clock::now() + std::chrono::milliseconds(kRepeatMs);
     while (Clock::now() < repeat) bus.handle(kRepeatMs / 4);
     if (!phase) continue;
@@ -110,7 +109,7 @@ void add_order_command(CLI::App& adit) {
       ->add_option_function<std::string>(
           "ORDER", [options](const std::string& order) { options->order = kOrders.at(order); },
           "What the mission shall do")
-      ->check(CLI::IsMember({"pause", "resume", "return", "stop"}))
+      ->check(CLI::IsMember(kOrders))
       ->required();
   command->add_option("--mission", options->mission, "Output folder of a running adit mission")
       ->type_name("DIR");

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,10 +10,10 @@
 #include <vector>
 
 #include <CLI/App.hpp>
-#include <fmt/format.h>
 
 #include "common/bus/node/stop_signal.hpp"
 #include "common/command_line/command_line.hpp"
+#include "common/seal/secret_text.hpp"
 #include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/control/control_socket.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -57,17 +56,10 @@ struct ViewCommand {
   ViewerOptions view;
 };
 
-/// Whether a mission holds the lock of its folder, rather than having ended.
-bool is_running(const std::filesystem::path& folder) {
-  pid_t pid = 0;
-  std::ifstream(folder / "mission.pid") >> pid;
-  return pid > 0 && std::filesystem::exists(fmt::format("/proc/{}", pid));
-}
-
 /// Prints the token.
 std::optional<ViewerOrders> orders_of(const ViewCommand& command) {
   if (!command.orders) return std::nullopt;
-  ViewerOrders orders{.token = new_order_token(), .seal = command.seal};
+  ViewerOrders orders{.token = random_secret(), .seal = command.seal};
   orders.control_process = [socket = command.supervisor](const std::string& action,
                                                          const std::string& process) {
     try {
@@ -91,7 +83,7 @@ void run(ViewCommand command) {
   };
   if (!command.mission.empty()) {
     view.title = std::filesystem::absolute(command.mission).filename().string();
-    if (is_running(command.mission)) {
+    if (process_of_mission(command.mission)) {
       view.listening_socket =
           listen_on(view.parameters.address, static_cast<std::uint16_t>(view.parameters.port));
       enter_network_of_mission(command.mission);

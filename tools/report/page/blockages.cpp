@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "common/types/planned_path.hpp"
 #include "tools/report/page/seen_ground.hpp"
@@ -76,6 +77,8 @@ std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Tr
   std::vector<Blockage> found;
   std::vector<Eigen::Vector2d> places;  // the nearest pose of each
   if (path.empty()) return found;
+  std::optional<SeenGround> seen;
+  if (grid != nullptr) seen.emplace(*grid, path);
   for (const Frontier& frontier : frontiers) {
     if (!ends_exploration(frontier.state)) continue;
     const Nearest nearest = nearest_pose(path, frontier.p_map);
@@ -88,7 +91,7 @@ std::vector<Blockage> blockages(const std::vector<Frontier>& frontiers, const Tr
       places.push_back(p_map);
       found.emplace_back();
       found.back().at_m = distance_until_near_m(path, p_map);
-      if (grid != nullptr) found.back().seen_beyond_m = seen_beyond_m(*grid, path, p_map);
+      if (seen) found.back().seen_beyond_m = seen->beyond_m(p_map);
     }
     Blockage& blockage = found[i];
     const bool proven = is_closed(frontier.state);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/files/gzip_encoder.hpp"
+#include "common/files/little_endian.hpp"
 #include "common/text/base64.hpp"
 #include "viewer/server/protocol.hpp"
 
@@ -17,13 +18,6 @@ namespace adit {
 namespace {
 
 using Json = nlohmann::json;
-
-template <class T>
-void append_little_endian(std::string& bytes, T value) {
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bytes.push_back(static_cast<char>((value >> (8U * i)) & 0xffU));
-  }
-}
 
 /// What a server sends first: about itself, and its channels. The number of a channel is that of
 /// its topic.

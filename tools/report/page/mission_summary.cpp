@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/report/text_format.hpp"
+#include "viewer/scene/json_text.hpp"
 
 namespace adit {
 namespace {
@@ -199,7 +200,7 @@ std::string summary_message(const MissionRecords& records, const MissionStatisti
                      {"warnings", std::move(sentences)},
                      {"files", files()},
                      {"configuration", configuration_text(records.log_info)}};
-  return summary.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(summary);
 }
 
 }  // namespace adit

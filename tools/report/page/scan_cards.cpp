@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/sensing/seconds.hpp"
 #include "tools/report/text_format.hpp"
+#include "viewer/scene/json_text.hpp"
 
 namespace adit {
 namespace {
@@ -70,21 +72,17 @@ Json pictures_json(const ScanPictures& pictures) {
 }  // namespace
 
 std::string scan_message(const RecordedScan& scan, const MissionMap& map) {
-  Json json{{"number", scan.number},
-            {"id", scan.id},
-            {"time_s", 1e-6 * static_cast<double>(scan.utime)},
-            {"laser", laser_name(scan)},
-            {"points", scan.points},
-            {"complete", scan.complete},
-            {"plans", Json::array()},
-            {"pictures", pictures_json(scan.pictures)}};
+  Json json{{"number", scan.number},         {"id", scan.id},
+            {"time_s", seconds(scan.utime)}, {"laser", laser_name(scan)},
+            {"points", scan.points},         {"complete", scan.complete},
+            {"plans", Json::array()},        {"pictures", pictures_json(scan.pictures)}};
   if (const auto T_map_body = map.T_map_body_at(scan.utime)) {
     json["x"] = T_map_body->x;
     json["y"] = T_map_body->y;
     json["heading_rad"] = T_map_body->theta;
   }
   for (const RecordedPlan& plan : scan.plans) json["plans"].push_back(plan_json(plan));
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(json);
 }
 
 std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap& map) {

@@ -18,22 +18,19 @@ void TopicRecorder::begin(const LimitsOf& limits) {
 }
 
 void TopicRecorder::record(std::int64_t utime) {
-  take(utime, [&](TopicId id) {
+  const auto wanted = [&](TopicId id) {
     const bool appended = board_.topics()[id].retention == Retention::kAppended;
     const Kept& kept = topics_.at(id);
     if (kept.limits.interval_us == kAtEnd) return appended;
     return appended || !kept.any || utime >= kept.last_utime + kept.limits.interval_us;
-  });
+  };
+  take(board_.take_due(utime, wanted), utime);
 }
 
-void TopicRecorder::finish(std::int64_t utime) {
-  // The board itself holds back what changed within the period of its topic.
-  constexpr std::int64_t kAnyPeriodUs = 3'600'000'000;
-  take(utime + kAnyPeriodUs, [](TopicId) { return true; });
-}
+void TopicRecorder::finish(std::int64_t utime) { take(board_.take_changed(), utime); }
 
-void TopicRecorder::take(std::int64_t utime, const std::function<bool(TopicId)>& wanted) {
-  for (TopicBoard::Update& update : board_.take_due(utime, wanted)) {
+void TopicRecorder::take(std::vector<TopicBoard::Update> updates, std::int64_t utime) {
+  for (TopicBoard::Update& update : updates) {
     Kept& kept = topics_.at(update.topic);
     kept.any = true;
     kept.last_utime = utime;

@@ -55,7 +55,7 @@ class TopicRecorder {
     std::deque<TopicMessage> messages;
   };
 
-  void take(std::int64_t utime, const std::function<bool(TopicId)>& wanted);
+  void take(std::vector<TopicBoard::Update> updates, std::int64_t utime);
   static void thin(Kept& kept);
 
   TopicBoard& board_;

@@ -30,13 +30,8 @@ void add_event(const LogEventView& event, LogInfo& log_info) {
 }
 
 void add_warnings(const LogHealth& health, const std::string& file, LogInfo& log_info) {
-  if (health.corrupt_bytes > 0) {
-    log_info.warnings.push_back(
-        fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, file));
-  }
-  if (health.truncated_bytes > 0) {
-    log_info.warnings.push_back(fmt::format("{} is truncated within an event", file));
-  }
+  for (std::string& warning : damage_warnings(health, file))
+    log_info.warnings.push_back(std::move(warning));
   if (health.events == 0) log_info.warnings.push_back(fmt::format("no events in {}", file));
 }
 

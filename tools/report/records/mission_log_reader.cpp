@@ -19,7 +19,6 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/messages/fields/quantities.hpp"
 
 namespace adit {
 namespace {
@@ -27,15 +26,6 @@ namespace {
 using Channels = std::set<std::string, std::less<>>;
 
 constexpr std::size_t kEventsPerProgress = 10'000;
-
-// Events after a longer gap are skipped: their time is damaged, and the bus would run its timers
-// over the gap.
-constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;
-
-bool is_plausible_at(std::int64_t utime, const MemoryBus& bus) {
-  if (!is_plausible_utime(utime)) return false;
-  return bus.now_utime() == 0 || utime - bus.now_utime() < kGapMaxUs;
-}
 
 /// Replays the selected channels of logs, one log after the other, each in its order; `after_event`
 /// is called after each event. Throws std::runtime_error for a file that cannot be read.
@@ -46,7 +36,7 @@ void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& s
     LogReader reader(logs[i]);
     std::size_t events = 0;
     while (const auto event = reader.next()) {
-      if (selected.contains(event->channel) && is_plausible_at(event->utime, bus)) {
+      if (selected.contains(event->channel) && is_playable_after(event->utime, bus.now_utime())) {
         bus.inject(event->utime, event->channel, event->data);
         after_event();
       }

@@ -42,10 +42,7 @@ void EventLayer::add_phase(const MissionPhase& phase) {
 }
 
 void EventLayer::add_association(const Association& association) {
-  const bool revoked = association.action == Association::Action::kRevised &&
-                       association.chosen == Association::kNone &&
-                       association.previously_chosen != Association::kNone;
-  if (!revoked) return;
+  if (!association.revokes()) return;
   append(association.utime, Level::kWarning, "mapping",
          fmt::format("loop closure {} of local map {} revoked: {}", association.loop_closure.id,
                      association.loop_closure.newer_map, association.reason));

@@ -36,12 +36,8 @@ GraphLayer::GraphLayer(TopicBoard& board, const MapFrame& frame) : board_(board)
 /// A loop closure may be accepted again later, or with another older map.
 void GraphLayer::add_association(const Association& association) {
   const LoopClosure& loop_closure = association.loop_closure;
-  const auto previous = static_cast<std::size_t>(association.previously_chosen);
-  const bool revoked = association.action == Association::Action::kRevised &&
-                       association.chosen == Association::kNone &&
-                       association.previously_chosen >= 0 &&
-                       previous < loop_closure.alternatives.size();
-  if (revoked) {
+  if (association.revokes()) {
+    const auto previous = static_cast<std::size_t>(association.previously_chosen);
     revoked_[loop_closure.id] = {loop_closure.alternatives[previous].older_map,
                                  loop_closure.newer_map};
   } else if (association.chosen != Association::kNone) {

@@ -72,12 +72,6 @@ struct Region {
   double clearance_m = std::numeric_limits<double>::infinity();  ///< the smallest
 };
 
-CellBox around(const CellBox& box, const Eigen::Vector2i& cell) {
-  const Eigen::Vector2i next = cell + Eigen::Vector2i(1, 1);
-  if (box.empty()) return {cell, next};
-  return {box.from.cwiseMin(cell), box.to.cwiseMax(next)};
-}
-
 /// Regions of the cells for which `is_part` holds, by flood fill.
 template <class IsPart>
 std::vector<Region> regions_of(const TerrainMap& terrain, IsPart is_part) {
@@ -92,7 +86,7 @@ std::vector<Region> regions_of(const TerrainMap& terrain, IsPart is_part) {
     while (!open.empty()) {
       const Eigen::Vector2i cell = open.back();
       open.pop_back();
-      region.box = around(region.box, cell);
+      region.box = united(region.box, cell);
       ++region.cells;
       const double clearance_m = terrain.cells.at(cell).clearance_m;
       if (std::isfinite(clearance_m))
@@ -150,12 +144,8 @@ void HazardLayer::on_sinkage(const SinkageReading& reading) {
 void HazardLayer::add_at_robot(const std::string& kind, double value, const std::string& unit,
                                const std::string& evidence, std::int64_t utime) {
   if (!robot_.pose()) return;
-  add({kind,
-       value,
-       unit,
-       evidence,
-       utime,
-       {robot_.pose()->T_odom_body, robot_.pose()->z_m},
+  add({kind, value, unit, evidence, utime,
+       frame_.anchored({robot_.pose()->T_odom_body, robot_.pose()->z_m}),
        Eigen::Vector2d::Constant(kPlaceM)});
 }
 
@@ -164,12 +154,9 @@ void HazardLayer::add_path(const PlannedPath& path) {
   for (const BlockingCell& cell : path.blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
-    add({hazard->kind,
-         cell.height_m,
-         hazard->unit,
-         fmt::format("blocks the path of plan {}", path.id),
-         path.utime,
-         {{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m},
+    add({hazard->kind, cell.height_m, hazard->unit,
+         fmt::format("blocks the path of plan {}", path.id), path.utime,
+         frame_.anchored({{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m}),
          Eigen::Vector2d::Constant(0.1)});
   }
 }
@@ -188,7 +175,8 @@ void HazardLayer::add_terrain(const TerrainMap& terrain, int number) {
       const bool roof = std::isfinite(region.clearance_m) && kind == "low roof";
       add({kind, roof ? region.clearance_m : area_m2, roof ? "m" : "m²",
            fmt::format("3D scan {}: {} over {:.1f} m²", number, evidence, area_m2), terrain.utime,
-           LevelPose{terrain.T_odom_level, z_m} * LevelPose{{p_level.x(), p_level.y(), 0.0}, 0.0},
+           frame_.anchored(LevelPose{terrain.T_odom_level, z_m} *
+                           LevelPose{{p_level.x(), p_level.y(), 0.0}, 0.0}),
            size_m});
     }
   };
@@ -207,15 +195,14 @@ void HazardLayer::add_terrain(const TerrainMap& terrain, int number) {
 }
 
 /// Joins it with a hazard of its kind that it touches.
-void HazardLayer::add(const Observation& observation) {
-  const AnchoredPose T_centre = frame_.anchored(observation.T_odom_centre);
-  const LevelPose T_map_centre = frame_.T_map(T_centre);
+void HazardLayer::add(const Hazard& observed) {
+  const LevelPose T_map_centre = frame_.T_map(observed.T_centre);
   for (Hazard& hazard : hazards_) {
-    if (hazard.kind != observation.kind) continue;
+    if (hazard.kind != observed.kind) continue;
     const LevelPose T_map_hazard = frame_.T_map(hazard.T_centre);
     const Eigen::Vector2d p_hazard = T_map_hazard.plan.inverse() * T_map_centre.plan.translation();
     const Eigen::Vector2d half_m = 0.5 * hazard.size_m;
-    const Eigen::Vector2d half_new_m = 0.5 * observation.size_m;
+    const Eigen::Vector2d half_new_m = 0.5 * observed.size_m;
     const Eigen::Vector2d gap_m = p_hazard.cwiseAbs() - half_m - half_new_m;
     if (gap_m.maxCoeff() > kNearM) continue;
     const Eigen::Vector2d low = (-half_m).cwiseMin(p_hazard - half_new_m);
@@ -224,13 +211,12 @@ void HazardLayer::add(const Observation& observation) {
     hazard.T_centre.T_anchor =
         hazard.T_centre.T_anchor * LevelPose{{shift.x(), shift.y(), 0.0}, 0.0};
     hazard.size_m = high - low;
-    hazard.value = worse(hazard.kind, hazard.value, observation.value);
-    return set_changed(observation.utime);
+    hazard.value = worse(hazard.kind, hazard.value, observed.value);
+    return set_changed(observed.utime);
   }
   if (hazards_.size() >= kHazardsMax) return;
-  hazards_.push_back({observation.kind, observation.value, observation.unit, observation.evidence,
-                      observation.utime, T_centre, observation.size_m});
-  set_changed(observation.utime);
+  hazards_.push_back(observed);
+  set_changed(observed.utime);
 }
 
 std::string HazardLayer::hazards_message() const {

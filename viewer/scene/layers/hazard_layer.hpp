@@ -41,16 +41,6 @@ class HazardLayer {
   void set_changed(std::int64_t utime);
 
  private:
-  /// What was observed at one place.
-  struct Observation {
-    std::string kind;
-    double value = 0.0;
-    std::string unit;
-    std::string evidence;
-    std::int64_t utime = 0;
-    LevelPose T_odom_centre;
-    Eigen::Vector2d size_m{0.0, 0.0};
-  };
   struct Hazard {
     std::string kind;
     double value = 0.0;
@@ -65,7 +55,7 @@ class HazardLayer {
   void on_sinkage(const SinkageReading& reading);
   void add_at_robot(const std::string& kind, double value, const std::string& unit,
                     const std::string& evidence, std::int64_t utime);
-  void add(const Observation& observation);
+  void add(const Hazard& observed);
   [[nodiscard]] std::string hazards_message() const;
 
   TopicBoard& board_;

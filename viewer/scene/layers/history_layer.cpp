@@ -25,9 +25,8 @@ constexpr double kUnknownValue = std::numeric_limits<double>::quiet_NaN();  // n
 
 }  // namespace
 
-HistoryLayer::HistoryLayer(TopicBoard& board, const MapFrame& frame, const RobotLayer& robot,
-                           const MissionLayer& mission)
-    : board_(board), frame_(frame), robot_(robot), mission_(mission) {
+HistoryLayer::HistoryLayer(TopicBoard& board, const MapFrame& frame, const MissionLayer& mission)
+    : board_(board), frame_(frame), mission_(mission) {
   topic_ = board.add(json_topic("/history", "adit.History"));
 }
 

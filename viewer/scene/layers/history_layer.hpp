@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/messages/mapping/odometry.hpp"
 #include "viewer/scene/layers/mission_layer.hpp"
-#include "viewer/scene/layers/robot_layer.hpp"
 #include "viewer/scene/map_frame.hpp"
 #include "viewer/server/topic_board.hpp"
 
@@ -23,8 +23,7 @@ class HistoryLayer {
   static constexpr std::size_t kChunksMax = TopicBoard::kAppendedMax;
 
   /// All must outlive this.
-  HistoryLayer(TopicBoard& board, const MapFrame& frame, const RobotLayer& robot,
-               const MissionLayer& mission);
+  HistoryLayer(TopicBoard& board, const MapFrame& frame, const MissionLayer& mission);
   HistoryLayer(const HistoryLayer&) = delete;
   HistoryLayer& operator=(const HistoryLayer&) = delete;
 
@@ -53,7 +52,6 @@ class HistoryLayer {
 
   TopicBoard& board_;
   const MapFrame& frame_;
-  const RobotLayer& robot_;
   const MissionLayer& mission_;
   TopicId topic_ = 0;
   std::deque<Chunk> chunks_;

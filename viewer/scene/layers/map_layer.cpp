@@ -42,12 +42,6 @@ CellBox placed_box(const MapRaster& raster, const Pose2& T_map_raster, double ce
   return {cell_of(low, cell_m), cell_of(high, cell_m) + Eigen::Vector2i(1, 1)};
 }
 
-CellBox around(const CellBox& a, const CellBox& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {a.from.cwiseMin(b.from), a.to.cwiseMax(b.to)};
-}
-
 /// Calls `take` with each cell of `grid` and the raster's cell at its centre.
 template <class Sums, class Take>
 void draw(const MapRaster& raster, const Pose2& T_map_raster, double cell_m, Sums& sums,
@@ -165,7 +159,7 @@ void MapLayer::for_each_raster(Draw draw_raster) const {
 CellBox MapLayer::covered_box(double cell_m) const {
   CellBox box;
   for_each_raster([&](const MapRaster& raster, const Pose2& T_map_raster) {
-    box = around(box, placed_box(raster, T_map_raster, cell_m));
+    box = united(box, placed_box(raster, T_map_raster, cell_m));
   });
   return box;
 }

@@ -42,9 +42,7 @@ int ScanLayer::add_cloud(const Cloud& cloud) {
                  .points = cloud.points(),
                  .complete = cloud.complete,
                  .T_level = frame_.anchored({cloud.T_odom_level, cloud.z_odom_m}),
-                 .plans = {},
-                 .lengths_m = {},
-                 .clearances_m = {}};
+                 .plans = {}};
   if (request_ && request_->id == cloud.id) newest_->laser = request_->laser;
   append(*newest_);
   return newest_->number;
@@ -53,24 +51,21 @@ int ScanLayer::add_cloud(const Cloud& cloud) {
 /// A path has the time of the scan from which its terrain is made.
 void ScanLayer::on_path(const PlannedPath& path) {
   if (!newest_ || newest_->utime != path.utime || newest_->plans.size() >= kPlansMax) return;
-  newest_->lengths_m.push_back(path_length_m(path));
-  newest_->clearances_m.push_back(least_clearance_m(path));
-  PlannedPath& plan = newest_->plans.emplace_back(path);
-  plan.points.clear();
-  plan.blocking.clear();
+  newest_->plans.push_back(
+      {path.outcome, path.reason, path.reached_m, path_length_m(path), least_clearance_m(path)});
   append(*newest_);
 }
 
 void ScanLayer::append(const Scan& scan) {
   using nlohmann::json;
   json plans = json::array();
-  for (std::size_t i = 0; i < scan.plans.size(); ++i) {
-    const double clearance_m = scan.clearances_m[i];
-    plans.push_back({{"outcome", name_of(scan.plans[i].outcome)},
-                     {"reason", scan.plans[i].reason},
-                     {"reached_m", scan.plans[i].reached_m},
-                     {"length_m", scan.lengths_m[i]},
-                     {"clearance_m", std::isfinite(clearance_m) ? json(clearance_m) : json()}});
+  for (const Plan& plan : scan.plans) {
+    plans.push_back(
+        {{"outcome", name_of(plan.outcome)},
+         {"reason", plan.reason},
+         {"reached_m", plan.reached_m},
+         {"length_m", plan.length_m},
+         {"clearance_m", std::isfinite(plan.clearance_m) ? json(plan.clearance_m) : json()}});
   }
   const LevelPose T_map_level = frame_.T_map(scan.T_level);
   json message{{"number", scan.number},

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/bus/bus.hpp"
@@ -28,6 +29,14 @@ class ScanLayer {
   int add_cloud(const Cloud& cloud);
 
  private:
+  /// What is shown of a PlannedPath.
+  struct Plan {
+    PlanOutcome outcome = PlanOutcome::kFound;
+    std::string reason;
+    double reached_m = 0.0;
+    double length_m = 0.0;
+    double clearance_m = 0.0;  ///< infinite without a path
+  };
   struct Scan {
     int number = 0;
     std::int32_t id = 0;
@@ -36,9 +45,7 @@ class ScanLayer {
     std::size_t points = 0;
     bool complete = true;
     AnchoredPose T_level;
-    std::vector<PlannedPath> plans;  ///< without points and cells
-    std::vector<double> lengths_m;
-    std::vector<double> clearances_m;
+    std::vector<Plan> plans;
   };
 
   void on_path(const PlannedPath& path);

@@ -9,7 +9,7 @@
 
 #include <sys/prctl.h>
 
-#include "procs/supervisor/os/wall_time.hpp"
+#include "common/service/wall_time.hpp"
 #include "procs/supervisor/process_manager.hpp"
 
 int main(int, char** argv) {

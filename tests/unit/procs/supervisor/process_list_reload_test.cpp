@@ -11,8 +11,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/service/wall_time.hpp"
 #include "procs/supervisor/control/control_client.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
 #include "procs/supervisor/supervisor.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"

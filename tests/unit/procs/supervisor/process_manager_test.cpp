@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 
 #include "common/process_list/parser.hpp"
-#include "procs/supervisor/os/wall_time.hpp"
+#include "common/service/wall_time.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 

@@ -97,8 +97,8 @@ TEST(Blockages, MeasureTheGroundThatWasSeenInTheMap) {
     }
     ASSERT_TRUE(grid.insert(scan, {x_m, 0.0, 0.0}));
   }
-  EXPECT_NEAR(seen_beyond_m(grid, drive(), {36.0, 0.0}), 14.0, 0.3);
-  EXPECT_LT(seen_beyond_m(grid, drive(), {18.0, 0.0}), 4.3) << "the tunnel was driven";
+  EXPECT_NEAR(SeenGround(grid, drive()).beyond_m({36.0, 0.0}), 14.0, 0.3);
+  EXPECT_LT(SeenGround(grid, drive()).beyond_m({18.0, 0.0}), 4.3) << "the tunnel was driven";
   const auto found =
       blockages({frontier_at(44.4, FrontierState::kBlocked, kObstacle)}, drive(), &grid);
   EXPECT_NEAR(found.at(0).seen_beyond_m, 14.0, 0.3);

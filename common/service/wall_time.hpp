@@ -7,8 +7,8 @@
 
 namespace adit {
 
-/// Clocks of the supervisor, which manages real processes even if bus time is simulated. Only here
-/// does a stage read a clock; no estimate or plan depends on it.
+/// Clocks of the computer: for what manages real processes or serves people even if bus time is
+/// simulated. No estimate or plan depends on them.
 
 /// Monotonic time [µs].
 inline std::int64_t steady_us() {

@@ -22,6 +22,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "common/service/wait_status.hpp"
 #include "procs/supervisor/os/file_descriptor.hpp"
 
 namespace adit {
@@ -178,17 +179,9 @@ std::vector<std::string> arguments_of(const ChildStart& start) {
   return arguments;
 }
 
-std::string signal_text(int signal) {
-  const char* const name = sigabbrev_np(signal);
-  return name ? "SIG" + std::string(name) : "signal " + std::to_string(signal);
-}
-
 }  // namespace
 
-std::string ChildProcess::End::text() const {
-  if (WIFSIGNALED(wait_status)) return "killed by " + signal_text(WTERMSIG(wait_status));
-  return "ended with exit code " + std::to_string(WEXITSTATUS(wait_status));
-}
+std::string ChildProcess::End::text() const { return wait_status_text(wait_status); }
 
 ChildProcess::ChildProcess(const ChildStart& start) {
   PseudoTerminal terminal = PseudoTerminal::open();

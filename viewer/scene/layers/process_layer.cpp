@@ -13,6 +13,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/procman.hpp"
 #include "common/sensing/seconds.hpp"
+#include "common/service/wait_status.hpp"
 #include "viewer/scene/json_text.hpp"
 #include "viewer/scene/topic_schema.hpp"
 
@@ -88,7 +89,7 @@ std::string ProcessLayer::processes_message() const {
            {"group", status.command.group},
            {"pid", status.pid},
            {"running", status.pid != 0},
-           {"exit_code", status.wait_status},
+           {"end", status.pid != 0 ? "" : wait_status_text(status.wait_status)},
            {"cpu_share", status.cpu_cores},
            {"memory_bytes", status.memory_bytes},
            {"restarts", process == processes_.end() ? 0 : process->second.restarts}});

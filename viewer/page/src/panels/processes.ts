@@ -30,7 +30,7 @@ export class ProcessesPanel extends Panel {
     const process = raw(entry);
     const name = str(process.name);
     const buttons = kActions.map((action) => button(action, () => this.orders.confirm("adit/process", { process: name, action }, `${action} ${name}`)));
-    return [name, str(process.group), process.running === true ? "running" : `ended (${str(process.exit_code, "?")})`, str(process.pid, kNone),
+    return [name, str(process.group), process.running === true ? "running" : str(process.end, "ended"), str(process.pid, kNone),
       fixed(num(process.cpu_share) * 100, 0, "%"), fixed(num(process.memory_bytes) / kMegabyte, 0, "MB"), str(process.restarts),
       withOrders ? el("span", {}, ...buttons) : null];
   }

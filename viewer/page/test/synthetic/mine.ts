@@ -147,7 +147,7 @@ export function messagesAt(t: number, volumePoints = 30_000): Message[] {
     out.push(message("/map", time_s, grid(t)), message("/trajectory", time_s, trajectory(t)), message("/frontiers", time_s, frontiers(t)), message("/uncertainty", time_s, ellipses(t)),
       message("/path", time_s, { entities: [strip("path", [[robot.x, 0], [robot.x + 8 * Math.cos(robot.heading), 0]])] }),
       message("/graph", time_s, { entities: [strip("sequential", Array.from({ length: Math.min(99, t) }, (_, i) => [[i, 0], [i + 1, 0]] as [number, number][]).flat(), 2), strip("loop closures", [[20, 0], [22, 0.5]], 2), strip("revoked", [[40, 0], [60, 12]], 2)] }),
-      message("/processes", time_s, { time_s, computers: [{ name: "robot", cpu_load: 0.4, processes: ["mapping", "mission", "driving"].map((name, i) => ({ name, group: "stages", pid: 400 + i, running: true, exit_code: 0, cpu_share: 0.1 * i, memory_bytes: 5e7 * (i + 1), restarts: i })) }],
+      message("/processes", time_s, { time_s, computers: [{ name: "robot", cpu_load: 0.4, processes: ["mapping", "mission", "driving"].map((name, i) => ({ name, group: "stages", pid: 400 + i, running: true, end: "", cpu_share: 0.1 * i, memory_bytes: 5e7 * (i + 1), restarts: i })) }],
         stages: [{ name: "mapping", level: "ok", reason: "", handled: t * 10, rejected: 0, dropped: 0, age_s: 0.1 }, { name: "driving", level: "degraded", reason: "late input", handled: t, rejected: 1, dropped: 2, age_s: 0.9 }] }));
   }
   if (t === 20 || t === 0) out.push(message("/hazards", time_s, t === 0 ? { entities: [] } : hazards()));

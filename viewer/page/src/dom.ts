@@ -26,6 +26,21 @@ export function table(head: string[], rows: Child[][]): HTMLTableElement {
   return el("table", {}, head.length > 0 ? el("thead", {}, cells("th", head)) : null, el("tbody", {}, ...rows.map((row) => cells("td", row))));
 }
 
+/** A sample of a colour, any background of CSS. */
+export function swatch(colour: string, ...classes: string[]): HTMLElement {
+  return el("span", { class: ["swatch", ...classes].join(" "), style: `background:${colour}` });
+}
+
+/** What colours stand for. */
+export function legend(entries: [colour: string, meaning: string][]): HTMLElement {
+  return el("div", { class: "legend" }, ...entries.map(([colour, meaning]) => el("label", {}, swatch(colour), meaning)));
+}
+
+/** Coordinates in the grid of the mine, metres. */
+export function eastNorth(x: number, y: number, digits = 1): string {
+  return `${x.toFixed(digits)} E, ${y.toFixed(digits)} N`;
+}
+
 export const kNone = "–";
 
 export function fixed(value: number | null, digits: number, unit = ""): string {

@@ -56,7 +56,7 @@ function frame(now_ms: number): void {
   if (!timeBar.isDragged) time.advance(Math.min(0.5, (now_ms - lastFrame_ms) / 1000));
   lastFrame_ms = now_ms;
   const time_s = time.now_s;
-  const key = `${time_s} ${model.revision} ${byId("map").clientWidth} ${byId("map").clientHeight}`;
+  const key = `${time_s} ${model.revision}`;  // MapView itself notices another size
   if (map.dirty || key !== drawn) {
     drawn = key;
     map.dirty = false;

@@ -43,7 +43,7 @@ export class MapView {
   }
 
   fit(): void {
-    const grid = this.#grid() ?? this.model.map.first()?.value;
+    const grid = this.#grid();
     const bounds = grid && boundsOf(grid);
     if (bounds) this.camera.fit(bounds);
     this.dirty = true;
@@ -73,7 +73,7 @@ export class MapView {
     this.#time_s = time_s;
     const brush = this.#begin();
     if (!brush) return;
-    const grid = this.#grid() ?? this.model.map.first()?.value;
+    const grid = this.#grid();
     if (grid && !this.#isFitted) { this.#isFitted = true; this.fit(); }
     reserveGraticule(brush);
     if (grid) drawGround(brush, grid, this.#raster, this.showsCoverage ? "coverage" : "occupancy");
@@ -87,7 +87,8 @@ export class MapView {
     drawNorthArrow(brush);
   }
 
-  #grid(): Grid | null { return this.model.map.at(this.#time_s)?.value ?? null; }
+  /** The map at the time shown; before there was one, the first. */
+  #grid(): Grid | null { return (this.model.map.at(this.#time_s) ?? this.model.map.first())?.value ?? null; }
 
   /** Null while the canvas has no size. */
   #begin(): Brush | null {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The grid as an image in the colours of the theme, and smaller ones in which walls stay visible. */
-import { kOccupied, kUnknown, type Grid } from "../state/grid";
+import { isWall, kUnknown, occupancyAt, type Grid } from "../state/grid";
 import { rgb, themeGeneration } from "../theme";
 
 export type Shading = "occupancy" | "coverage";
@@ -23,10 +23,12 @@ export class Raster {
 }
 
 /** Class of a cell: what is more important has the greater number. */
-function classOf(occupancy: number, coverage: number, shading: Shading): number {
-  if (occupancy !== kUnknown && occupancy >= kOccupied) return 5;
-  if (shading === "coverage") return coverage > 0 ? coverage : occupancy === kUnknown ? 0 : 1;
-  return occupancy === kUnknown ? 0 : 4;
+function classOf(grid: Grid, column: number, row: number, shading: Shading): number {
+  if (isWall(grid, column, row)) return 5;
+  const isUnknown = occupancyAt(grid, column, row) === kUnknown;
+  const coverage = grid.coverage[row * grid.width + column]!;
+  if (shading === "coverage") return coverage > 0 ? coverage : isUnknown ? 0 : 1;
+  return isUnknown ? 0 : 4;
 }
 
 function build(grid: Grid, shading: Shading): HTMLCanvasElement[] {
@@ -34,7 +36,9 @@ function build(grid: Grid, shading: Shading): HTMLCanvasElement[] {
   const colours = names.map((name) => rgb(name));
   let { width, height } = grid;
   let classes = new Uint8Array(width * height);
-  for (let i = 0; i < classes.length; ++i) classes[i] = classOf(grid.occupancy[i]!, grid.coverage[i]!, shading);
+  for (let row = 0, i = 0; row < height; ++row) {
+    for (let column = 0; column < width; ++column, ++i) classes[i] = classOf(grid, column, row, shading);
+  }
   const levels: HTMLCanvasElement[] = [];
   for (let level = 0; level < 5; ++level) {
     const canvas = document.createElement("canvas");

@@ -4,7 +4,7 @@
  * Width of a tunnel between its walls. Across is the direction of the shortest chord through the point; the width is the median of
  * parallel chords within 1 m along the tunnel. A chord passes through what is small and has free ground behind: posts, stones, timber.
  */
-import { cellOf, kOccupied, kUnknown, occupancyAt, type Grid } from "../state/grid";
+import { cellOf, isWall, kUnknown, occupancyAt, type Grid } from "../state/grid";
 
 export interface Width {
   width_m: number;
@@ -45,8 +45,7 @@ class Objects {
       if (c1 - c0 >= limit || r1 - r0 >= limit) break;
       for (let dr = -1; dr <= 1; ++dr) {
         for (let dc = -1; dc <= 1; ++dc) {
-          const value = occupancyAt(grid, c + dc, r + dr);
-          if (value !== kUnknown && value >= kOccupied) cells.add((r + dr) * grid.width + c + dc);
+          if (isWall(grid, c + dc, r + dr)) cells.add((r + dr) * grid.width + c + dc);
         }
       }
     }
@@ -69,13 +68,13 @@ function distanceToWall(grid: Grid, objects: Objects, x: number, y: number, angl
   let t = 0;
   let object_m: number | null = null;  // where the chord entered an object behind which no free cell was met yet
   while (t * grid.cell_m < kReach_m) {
-    const value = occupancyAt(grid, column, row);
-    const isOccupied = value !== kUnknown && value >= kOccupied;
+    const isOccupied = isWall(grid, column, row);
+    const isUnknown = occupancyAt(grid, column, row) === kUnknown;
     if (isOccupied && !objects.has(column, row)) return object_m ?? t * grid.cell_m;
     if (isOccupied) object_m ??= t * grid.cell_m;
     // Cells inside of an object and in its shadow are unknown.
-    else if (value === kUnknown && (object_m === null || t * grid.cell_m - object_m > kObject_m)) return object_m;
-    else if (value !== kUnknown) object_m = null;
+    else if (isUnknown && (object_m === null || t * grid.cell_m - object_m > kObject_m)) return object_m;
+    else if (!isUnknown) object_m = null;
     if (nextU < nextV) { t = nextU; nextU += Math.abs(1 / du); column += stepU; }
     else { t = nextV; nextV += Math.abs(1 / dv); row += stepV; }
   }
@@ -84,8 +83,8 @@ function distanceToWall(grid: Grid, objects: Objects, x: number, y: number, angl
 
 function isFree(grid: Grid, x: number, y: number): boolean {
   const [u, v] = cellOf(grid, x, y);
-  const value = occupancyAt(grid, Math.floor(u), Math.floor(v));
-  return value !== kUnknown && value < kOccupied;
+  const [column, row] = [Math.floor(u), Math.floor(v)];
+  return occupancyAt(grid, column, row) !== kUnknown && !isWall(grid, column, row);
 }
 
 /** Null where the point is not free, or no direction ends at walls on both sides. */

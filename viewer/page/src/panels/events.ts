@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Events up to the time shown, the newest first. */
 import { clock, el, table } from "../dom";
-import type { Model } from "../state/model";
-import { note, Panel } from "./panel";
-
-const kRowLimit = 400;
-const kWarning = 3;  // level of foxglove.Log
+import { kWarning, type Model } from "../state/model";
+import { kRowLimit, note, Panel } from "./panel";
 
 export class EventsPanel extends Panel {
   constructor(private readonly model: Model) { super("panel-events", "Events", "scroll screen"); }

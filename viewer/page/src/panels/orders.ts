@@ -3,19 +3,17 @@
 /** Orders to a live robot, where the server takes them: each is confirmed, and carries the token. */
 import { el, setText } from "../dom";
 import type { Model } from "../state/model";
-import { button } from "./panel";
+import { button, note, Panel } from "./panel";
 
 export type Call = (service: string, request: Record<string, string>) => Promise<unknown>;
 
 const kOrders: [order: string, label: string][] = [["pause", "Pause"], ["resume", "Resume"], ["return_home", "Return home"], ["stop", "Stop"]];
 
-export class Orders {
-  readonly section = el("section", { id: "panel-orders", class: "screen" });
+export class Orders extends Panel {
   readonly #token = el("input", { type: "password", placeholder: "token", "aria-label": "token of orders", autocomplete: "off" });
   readonly #answer = el("p", { role: "status", id: "answer" });
-  #key = "";
 
-  constructor(private readonly model: Model, private readonly call: Call) {}
+  constructor(private readonly model: Model, private readonly call: Call) { super("panel-orders", "Orders", "screen"); }
 
   isOffered(service: string): boolean {
     return this.model.info?.orders === true && this.model.services.some(({ name }) => name === service);
@@ -23,13 +21,12 @@ export class Orders {
 
   show(): void {
     const isOffered = this.isOffered("adit/order");
-    const key = `${isOffered} ${this.model.info?.source}`;
-    if (key === this.#key) return;
-    this.#key = key;
-    this.section.hidden = this.model.info?.source !== "live";
-    if (!isOffered) return this.section.replaceChildren(el("span", { class: "soft" }, "read-only"));
-    this.section.replaceChildren(el("h2", {}, "Orders"), this.#token,
-      ...kOrders.map(([order, label]) => button(label, () => this.confirm("adit/order", { order }, label.toLowerCase()))), this.#answer);
+    const isLive = this.model.info?.source === "live";
+    this.update(`${isOffered} ${isLive}`, () => {
+      if (!isLive) return [];
+      if (!isOffered) return [note("None: this view is read-only.")];
+      return [this.#token, ...kOrders.map(([order, label]) => button(label, () => this.confirm("adit/order", { order }, label.toLowerCase()))), this.#answer];
+    });
   }
 
   confirm(service: string, request: Record<string, string>, what: string): void {

@@ -3,6 +3,9 @@
 /** A section beside the map whose content is built when what it shows has changed. */
 import { el, type Child } from "../dom";
 
+/** Rows of a table that a person can read; more would slow the page. */
+export const kRowLimit = 400;
+
 export class Panel {
   readonly section: HTMLElement;
   readonly #body = el("div");

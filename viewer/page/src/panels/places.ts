@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Tables of hazards and frontiers; each row leads to its place on the map. */
-import { clock, fixed, table } from "../dom";
+import { clock, eastNorth, fixed, table } from "../dom";
 import { Chainage } from "../state/chainage";
 import type { Model } from "../state/model";
 import { frontiersOf, hazardsOf, kFrontierStates, valueText } from "../state/scene";
-import { button, idOf, note, Panel } from "./panel";
+import { button, idOf, kRowLimit, note, Panel } from "./panel";
 
 export type Centre = (x: number, y: number) => void;
 
-const kRowLimit = 400;
 const kNearTrajectory_m = 15;
 const kOnTrajectory_m = 2.5;
 /** What ends the exploration of a mine comes first. */
@@ -22,16 +21,11 @@ function rank(order: string[], value: string): number {
 
 /** Coordinates, and where the place is near the trajectory the distance along it. */
 function placeText(line: Chainage | null, x: number, y: number): string {
-  const place = `${x.toFixed(1)} E, ${y.toFixed(1)} N`;
+  const place = eastNorth(x, y);
   const near = line?.nearest(x, y);
   if (!near || near.offset_m > kNearTrajectory_m) return place;
   const offset = near.offset_m > kOnTrajectory_m ? ` + ${near.offset_m.toFixed(0)} m` : "";
   return `${near.distance_m.toFixed(0)} m${offset} (${place})`;
-}
-
-function trajectoryAt(model: Model, time_s: number): Chainage | null {
-  const found = model.trajectory.at(time_s);
-  return found && Chainage.of(found.value);
 }
 
 export class HazardsPanel extends Panel {
@@ -40,9 +34,9 @@ export class HazardsPanel extends Panel {
   show(time_s: number): void {
     const entities = this.model.hazards.at(time_s)?.value ?? null;
     this.update(idOf(entities), () => {
-      const hazards = hazardsOf(entities ?? []).sort((a, b) => rank(kHazardOrder, a.kind) - rank(kHazardOrder, b.kind) || a.kind.localeCompare(b.kind) || a.time_s - b.time_s);
+      const hazards = [...hazardsOf(entities ?? [])].sort((a, b) => rank(kHazardOrder, a.kind) - rank(kHazardOrder, b.kind) || a.kind.localeCompare(b.kind) || a.time_s - b.time_s);
       if (hazards.length === 0) return [note("None observed up to this time.")];
-      const line = trajectoryAt(this.model, time_s);
+      const line = Chainage.at(this.model, time_s);
       return [table(["kind", "value", "at", "evidence", "time", ""], hazards.slice(0, kRowLimit).map((h) => [h.kind, valueText(h),
         placeText(line, h.x, h.y), h.evidence, clock(h.time_s - this.model.start_s), button("show", () => this.centre(h.x, h.y))]))];
     });
@@ -55,9 +49,9 @@ export class FrontiersPanel extends Panel {
   show(time_s: number): void {
     const entities = this.model.frontiers.at(time_s)?.value ?? null;
     this.update(idOf(entities), () => {
-      const frontiers = frontiersOf(entities ?? []).sort((a, b) => rank(kStateOrder, a.state) - rank(kStateOrder, b.state));
+      const frontiers = [...frontiersOf(entities ?? [])].sort((a, b) => rank(kStateOrder, a.state) - rank(kStateOrder, b.state));
       if (frontiers.length === 0) return [note("None up to this time.")];
-      const line = trajectoryAt(this.model, time_s);
+      const line = Chainage.at(this.model, time_s);
       return [table(["no.", "state", "evidence", "width", "at", ""], frontiers.slice(0, kRowLimit).map((f) => [f.id, f.state, f.evidence, fixed(f.width_m, 1, "m"),
         placeText(line, f.x, f.y), button("show", () => this.centre(f.x, f.y))]))];
     });

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The list of 3D scans, and the card of one: terrain, C-space, path or reason. */
-import { clock, el, fixed, kNone, table } from "../dom";
+import { clock, eastNorth, el, fixed, kNone, legend, table } from "../dom";
 import type { Model, ScanCard } from "../state/model";
 import { list, num, raw, str } from "../state/values";
-import { button, idOf, note, Panel } from "./panel";
+import { button, idOf, kRowLimit, note, Panel } from "./panel";
 
-const kRowLimit = 400;
 /** Only images inside of the message are shown; an address could load something. */
 const kPicture = /^data:image\/(png|jpeg|svg\+xml);base64,/;
 const kCaptions: Record<string, string> = { terrain: "terrain with the planned path", c_space: "C-space at the heading of the path", view: "points, in the direction of the laser" };
@@ -20,15 +19,14 @@ const kPictureLegend: [colour: string, meaning: string][] = [
 ];
 
 function pictureLegend(): HTMLElement {
-  return el("details", {}, el("summary", {}, "Legend"), el("div", { class: "legend" },
-    ...kPictureLegend.map(([colour, meaning]) => el("label", {}, el("span", { class: "swatch", style: `background:${colour}` }), meaning))));
+  return el("details", {}, el("summary", {}, "Legend"), legend(kPictureLegend));
 }
 
 export class ScansPanel extends Panel {
   constructor(private readonly model: Model, private readonly open: (number: number) => void) { super("panel-scans", "3D scans", "scroll screen"); }
 
   show(time_s: number): void {
-    const scans = [...this.model.scans.values()].filter((scan) => scan.time_s <= time_s).sort((a, b) => a.number - b.number).slice(-kRowLimit);
+    const scans = this.model.scansUntil(time_s).slice(-kRowLimit);
     this.update(`scans ${scans.map((scan) => idOf(scan)).join()}`, () => {
       if (scans.length === 0) return [note("None up to this time.")];
       return [table(["no.", "time", "points", "plan", ""], scans.map((scan) => [String(scan.number), clock(scan.time_s - this.model.start_s), str(scan.raw.points),
@@ -57,7 +55,7 @@ export class CardPanel extends Panel {
     const pictures = Object.entries(raw(scan.raw.pictures)).filter(([, url]) => kPicture.test(String(url)));
     const step = (by: number) => button(by < 0 ? "previous" : "next", () => { if (this.model.scans.has(scan.number + by)) this.open(scan.number + by); });
     return [
-      el("p", {}, `Scan ${scan.number} by ${str(scan.raw.laser)}, ${str(scan.raw.points)} points, at ${scan.x.toFixed(1)} E, ${scan.y.toFixed(1)} N${scan.raw.complete === false ? ", incomplete" : ""}`),
+      el("p", {}, `Scan ${scan.number} by ${str(scan.raw.laser)}, ${str(scan.raw.points)} points, at ${eastNorth(scan.x, scan.y)}${scan.raw.complete === false ? ", incomplete" : ""}`),
       table(["plan", "reason", "reached", "length", "clearance"], list(scan.raw.plans).map((plan) => [str(raw(plan).outcome), str(raw(plan).reason),
         fixed(num(raw(plan).reached_m), 1, "m"), fixed(num(raw(plan).length_m), 1, "m"), fixed(num(raw(plan).clearance_m), 2, "m")])),
       ...pictures.map(([name, url]) => el("figure", {}, el("img", { src: String(url), alt: kCaptions[name] ?? name }), el("figcaption", {}, kCaptions[name] ?? name))),

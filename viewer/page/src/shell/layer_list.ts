@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The list of layers with their colours, and the legend. */
-import { byId, el } from "../dom";
+import { byId, el, legend, swatch } from "../dom";
 import { kLayers, kLegend } from "../map/layers/all";
 import type { MapView } from "../map/map_view";
-
-function swatch(name: string): HTMLElement {
-  return el("span", { class: "swatch", style: `background:var(--${name})` });
-}
 
 function choice(key: string, label: string, colour: string, on: boolean, change: (on: boolean) => void): HTMLElement {
   const box = el("input", { type: "checkbox", "data-layer": key });
   box.checked = on;
   box.onchange = () => change(box.checked);
-  return el("label", {}, box, swatch(colour), label);
+  return el("label", {}, box, swatch(`var(--${colour})`), label);
 }
 
 export function fillLayerList(map: MapView): void {
@@ -21,5 +17,5 @@ export function fillLayerList(map: MapView): void {
     choice("coverage", "ground: driven, scanned, seen by laser only", "driven", map.showsCoverage, (on) => { map.showsCoverage = on; map.dirty = true; }),
     ...kLayers.map(({ key, label, swatch: colour, on }) => choice(key, label, colour, on, (shown) => { map.shown.set(key, shown); map.dirty = true; })),
     el("hr"),
-    el("div", { class: "legend" }, ...kLegend.map(([colour, meaning]) => el("label", {}, swatch(colour), meaning))));
+    legend(kLegend.map(([colour, meaning]) => [`var(--${colour})`, meaning])));
 }

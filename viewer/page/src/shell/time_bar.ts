@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** The slider over the mission, with its phases, stops and other events as marks. */
 import { byId, clock, setText } from "../dom";
-import type { Model } from "../state/model";
-import { colour, isPhase } from "../theme";
+import { kWarning, type Model } from "../state/model";
+import { colour, isPhase, themeGeneration } from "../theme";
 import type { ViewTime } from "./view_time";
 
 const kSteps = 1000;
-const kWarning = 3;  // level of foxglove.Log
 
 export class TimeBar {
   readonly #slider = byId("slider") as HTMLInputElement;
   #isDragged = false;
+  #drawn = "";
 
   constructor(private readonly model: Model, private readonly time: ViewTime) {
     const speed = byId("speed") as HTMLSelectElement;
@@ -41,10 +41,13 @@ export class TimeBar {
 
   #drawMarks(span_s: number): void {
     const canvas = byId("marks") as HTMLCanvasElement;
+    const { history, events } = this.model;
+    const key = [span_s, this.time.start_s, history.length, events.length, canvas.clientWidth, canvas.clientHeight, themeGeneration()].join();
+    if (key === this.#drawn) return;
+    this.#drawn = key;
     [canvas.width, canvas.height] = [canvas.clientWidth, canvas.clientHeight];
     const context = canvas.getContext("2d")!;
     const x = (time_s: number) => (time_s - this.time.start_s) / span_s * canvas.width;
-    const { history, events } = this.model;
     history.forEach((row, i) => {
       if (!isPhase(row.phase)) return;
       context.fillStyle = colour(`phase-${row.phase}`);

@@ -40,10 +40,7 @@ export class Toolbar {
     this.map.setTool(this.map.measuring.tool === tool ? "pan" : tool);
   }
 
-  #trajectory(): Chainage | null {
-    const found = this.model.trajectory.at(this.time.now_s);
-    return found && Chainage.of(found.value);
-  }
+  #trajectory(): Chainage | null { return Chainage.at(this.model, this.time.now_s); }
 
   #goTo(distance_m: number): void {
     const line = this.#trajectory();

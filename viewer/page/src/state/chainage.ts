@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Distance along the outbound trajectory, by which places underground are named. */
+import { memoized } from "./memoized";
+import type { Model } from "./model";
 import type { Entity } from "./scene";
+import { countWhile } from "./search";
 
 const kNear_m = 1;
 
@@ -14,16 +17,21 @@ export class Chainage {
       this.#along.push(sum);
     }
   }
-  static of(trajectory: Entity[]): Chainage | null {
+  static readonly of = memoized((trajectory: Entity[]): Chainage | null => {
     const line = trajectory.find((entity) => entity.id === "outbound")?.lines[0];
     return line && line.xyz.length >= 6 ? new Chainage(line.xyz) : null;
+  });
+  /** Along the trajectory known at a time. */
+  static at(model: Model, time_s: number): Chainage | null {
+    const found = model.trajectory.at(time_s);
+    return found && Chainage.of(found.value);
   }
   get length_m(): number { return this.#along[this.#along.length - 1] ?? 0; }
 
   pointAt(distance_m: number): [number, number] | null {
     if (!(distance_m >= 0) || distance_m > this.length_m) return null;
-    const i = this.#along.findIndex((along) => along >= distance_m);
-    if (i <= 0) return [this.xyz[0]!, this.xyz[1]!];
+    const i = countWhile(this.#along.length, (k) => this.#along[k]! < distance_m);
+    if (i === 0) return [this.xyz[0]!, this.xyz[1]!];
     const share = (distance_m - this.#along[i - 1]!) / (this.#along[i]! - this.#along[i - 1]!);
     const at = (k: number) => this.xyz[3 * (i - 1) + k]! + share * (this.xyz[3 * i + k]! - this.xyz[3 * (i - 1) + k]!);
     return [at(0), at(1)];

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** A point cloud in frame map, metres. */
+import { memoized } from "./memoized";
 import { fieldOf, readerOf } from "./packed";
 import { apply, poseOf } from "./pose";
+import { countWhile } from "./search";
 import { bytes, num, raw, type Raw } from "./values";
 
 export const kClearanceUnit_m = 0.05;
@@ -60,7 +62,7 @@ export function cloudOf(message: Raw): Cloud {
 }
 
 /** The points in the order of their scans, so that those up to a scan come first; unchanged without numbers of scans. */
-export function sortedByScan(cloud: Cloud): Cloud {
+export const sortedByScan = memoized((cloud: Cloud): Cloud => {
   const { scan, count } = cloud;
   if (!scan || scan.every((number, i) => i === 0 || scan[i - 1]! <= number)) return cloud;
   const starts = new Uint32Array(65537);
@@ -74,17 +76,11 @@ export function sortedByScan(cloud: Cloud): Cloud {
     if (sorted.clearance) sorted.clearance[at] = cloud.clearance![i]!;
   }
   return sorted;
-}
+});
 
 /** Number of points of a sorted cloud whose scan has at most a number. */
 export function countUpTo(cloud: Cloud, scan: number): number {
   if (!cloud.scan) return cloud.count;
-  let low = 0;
-  let high = cloud.count;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (cloud.scan[middle]! <= scan) low = middle + 1;
-    else high = middle;
-  }
-  return low;
+  const { scan: numbers } = cloud;
+  return countWhile(cloud.count, (i) => numbers[i]! <= scan);
 }

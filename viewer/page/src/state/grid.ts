@@ -6,8 +6,11 @@ import { kIdentity, poseOf, yawOf } from "./pose";
 import { bytes, num, raw, type Raw } from "./values";
 
 export const kUnknown = 255;
-export const kOccupied = 65;  // per cent, from which a cell is wall
-export const kCoverage = ["never seen", "seen by the laser only", "scanned in 3D", "driven"] as const;
+const kOccupied = 65;  // per cent, from which a cell is wall
+/** How well ground is known, with the colour of the style sheet. */
+export const kCoverage: [colour: string, meaning: string][] = [
+  ["unknown", "never seen"], ["seen", "seen by the laser only"], ["scanned", "scanned in 3D"], ["driven", "driven"],
+];
 
 const kCellLimit = 64e6;
 
@@ -75,6 +78,12 @@ export function occupancyAt(grid: Grid, column: number, row: number): number {
   return grid.occupancy[row * grid.width + column]!;
 }
 
+/** Outside of the grid there is none. */
+export function isWall(grid: Grid, column: number, row: number): boolean {
+  const value = occupancyAt(grid, column, row);
+  return value !== kUnknown && value >= kOccupied;
+}
+
 /** Bounds in metres of the known cells, frame map; null if there is none. */
 export function boundsOf(grid: Grid): { x0: number; y0: number; x1: number; y1: number } | null {
   let c0 = Infinity, c1 = -1, r0 = Infinity, r1 = -1;
@@ -97,9 +106,10 @@ export function boundsOf(grid: Grid): { x0: number; y0: number; x1: number; y1: 
 /** Area in square metres of the cells that are not wall, by coverage (index of kCoverage). */
 export function coverageAreas(grid: Grid): number[] {
   const areas_m2 = kCoverage.map(() => 0);
-  for (let i = 0; i < grid.coverage.length; ++i) {
-    const isWall = grid.occupancy[i] !== kUnknown && grid.occupancy[i]! >= kOccupied;
-    if (!isWall) areas_m2[grid.coverage[i]!]! += grid.cell_m * grid.cell_m;
+  for (let row = 0, i = 0; row < grid.height; ++row) {
+    for (let column = 0; column < grid.width; ++column, ++i) {
+      if (!isWall(grid, column, row)) areas_m2[grid.coverage[i]!]! += grid.cell_m * grid.cell_m;
+    }
   }
   return areas_m2;
 }

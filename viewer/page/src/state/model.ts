@@ -5,8 +5,9 @@ import { decoderOf, type Decoder } from "../protocol/schema";
 import type { Channel, Connection, PlaybackState, ServerInfo, Service, Sink } from "../protocol/source";
 import { cloudOf } from "./cloud";
 import { gridOf } from "./grid";
-import { poseOf, type Pose, type Transforms, poseOfYaw, yawOf } from "./pose";
+import { poseOf, type Pose, type Transforms, poseOfYaw } from "./pose";
 import { entitiesOf } from "./scene";
+import { countWhile } from "./search";
 import { Series } from "./series";
 import { Timeline } from "./timeline";
 import { list, num, raw, str, type Raw } from "./values";
@@ -48,6 +49,9 @@ export interface ScanCard {
   z: number;
   raw: Raw;
 }
+
+/** Level of foxglove.Log from which an event is a warning. */
+export const kWarning = 3;
 
 const kHistoryLimit = 40_000;
 const kEventLimit = 20_000;
@@ -212,12 +216,7 @@ export class Model implements Sink {
     const pose = this.pose.at(time_s);
     if (pose && time_s - pose.time_s < 0.6) return pose.value;
     const rows = this.history;
-    let after = 0;
-    for (let low = 0, high = rows.length; low < high; after = low) {
-      const middle = (low + high) >> 1;
-      if (rows[middle]!.time_s <= time_s) low = middle + 1;
-      else high = middle;
-    }
+    const after = countWhile(rows.length, (i) => rows[i]!.time_s <= time_s);
     const before = rows[after - 1];
     const next = rows[after];
     if (!before || (pose && pose.time_s > before.time_s && !next)) return pose?.value ?? null;
@@ -228,9 +227,9 @@ export class Model implements Sink {
     return poseOfYaw(mix(before.x, to.x), mix(before.y, to.y), mix(before.z, to.z), before.heading_rad + share * turn);
   }
 
-  headingAt(time_s: number): number | null {
-    const robot = this.robotAt(time_s);
-    return robot && yawOf(robot);
+  /** The 3D scans up to a time, by number. */
+  scansUntil(time_s: number): ScanCard[] {
+    return [...this.scans.values()].filter((scan) => scan.time_s <= time_s).sort((a, b) => a.number - b.number);
   }
 
   #reach(time_s: number): void {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Scenes (foxglove.SceneUpdate) as lines, places and texts in frame map. */
+import { memoized } from "./memoized";
 import { apply, poseOf, yawOf, type Pose } from "./pose";
 import { list, num, raw, str, type Raw } from "./values";
 
@@ -83,19 +84,17 @@ export interface Frontier {
 
 export const kFrontierStates = ["open", "explored", "blocked", "too narrow", "beyond budget", "unobservable", "outside mine", "unconfirmed"];
 
-export function frontiersOf(entities: Entity[]): Frontier[] {
-  return entities.flatMap((entity) => {
-    const arrow = entity.arrows[0];
-    const at = arrow?.pose ?? entity.cubes[0]?.pose;
-    if (!at) return [];
-    const get = (key: string) => entity.metadata.get(key) ?? "";
-    return [{
-      key: entity.id, id: get("id") || entity.id.replace(/^frontier\s*/, ""), state: get("state") || "unknown", evidence: get("evidence"),
-      width_m: parseFloat(get("width_m")), time_s: parseFloat(get("time_s")),
-      x: at.x, y: at.y, z: at.z, heading_rad: yawOf(at),
-    }];
-  });
-}
+export const frontiersOf = memoized((entities: Entity[]): Frontier[] => entities.flatMap((entity) => {
+  const arrow = entity.arrows[0];
+  const at = arrow?.pose ?? entity.cubes[0]?.pose;
+  if (!at) return [];
+  const get = (key: string) => entity.metadata.get(key) ?? "";
+  return [{
+    key: entity.id, id: get("id") || entity.id.replace(/^frontier\s*/, ""), state: get("state") || "unknown", evidence: get("evidence"),
+    width_m: parseFloat(get("width_m")), time_s: parseFloat(get("time_s")),
+    x: at.x, y: at.y, z: at.z, heading_rad: yawOf(at),
+  }];
+}));
 
 export interface Hazard {
   key: string;
@@ -111,18 +110,16 @@ export interface Hazard {
   size: [number, number, number];
 }
 
-export function hazardsOf(entities: Entity[]): Hazard[] {
-  return entities.flatMap((entity) => {
-    const cube = entity.cubes[0];
-    if (!cube) return [];
-    const get = (key: string) => entity.metadata.get(key) ?? "";
-    return [{
-      key: entity.id, kind: get("kind") || "hazard", value: get("value"), unit: get("unit"), evidence: get("evidence"),
-      time_s: parseFloat(get("time_s")), x: cube.pose.x, y: cube.pose.y, z: cube.pose.z,
-      yaw_rad: yawOf(cube.pose), size: cube.size,
-    }];
-  });
-}
+export const hazardsOf = memoized((entities: Entity[]): Hazard[] => entities.flatMap((entity) => {
+  const cube = entity.cubes[0];
+  if (!cube) return [];
+  const get = (key: string) => entity.metadata.get(key) ?? "";
+  return [{
+    key: entity.id, kind: get("kind") || "hazard", value: get("value"), unit: get("unit"), evidence: get("evidence"),
+    time_s: parseFloat(get("time_s")), x: cube.pose.x, y: cube.pose.y, z: cube.pose.z,
+    yaw_rad: yawOf(cube.pose), size: cube.size,
+  }];
+}));
 
 /** "0.45 m"; empty where nothing was measured. */
 export function valueText({ value, unit }: Hazard): string {
@@ -138,11 +135,9 @@ export interface Ellipse {
   distance_m: number;
 }
 
-export function ellipsesOf(entities: Entity[]): Ellipse[] {
-  return entities.flatMap((entity) => {
-    const line = entity.lines[0];
-    if (!line) return [];
-    const get = (key: string) => parseFloat(entity.metadata.get(key) ?? "");
-    return [{ id: entity.id, line, semiAxis_m: get("semi_axis_m"), height95_m: get("height_95_m"), distance_m: get("distance_m") }];
-  });
-}
+export const ellipsesOf = memoized((entities: Entity[]): Ellipse[] => entities.flatMap((entity) => {
+  const line = entity.lines[0];
+  if (!line) return [];
+  const get = (key: string) => parseFloat(entity.metadata.get(key) ?? "");
+  return [{ id: entity.id, line, semiAxis_m: get("semi_axis_m"), height95_m: get("height_95_m"), distance_m: get("distance_m") }];
+}));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The messages of one topic in order of time, decoded when looked at; memory is bounded. */
+import { countWhile } from "./search";
 
 interface Entry {
   time_s: number;
@@ -83,14 +84,7 @@ export class Timeline<T> {
   }
 
   #indexAfter(time_s: number): number {
-    let low = 0;
-    let high = this.#entries.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.#entries[middle]!.time_s <= time_s) low = middle + 1;
-      else high = middle;
-    }
-    return low;
+    return countWhile(this.#entries.length, (i) => this.#entries[i]!.time_s <= time_s);
   }
 
   #thin(): void {

@@ -21,11 +21,6 @@ export function num(value: unknown, otherwise = NaN): number {
   return otherwise;
 }
 
-export function numOrNull(value: unknown): number | null {
-  const number = num(value);
-  return Number.isNaN(number) ? null : number;
-}
-
 /** Texts are cut at a length that a well-formed one does not reach. */
 export function str(value: unknown, otherwise = "", limit = 4000): string {
   if (typeof value === "string") return value.length > limit ? `${value.slice(0, limit)} …` : value;

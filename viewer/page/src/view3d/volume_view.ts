@@ -3,7 +3,7 @@
 /** The 3D scans as points: orbit, colour, clip height, coordinates of a clicked point, distance of two. */
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { el, fixed, setText } from "../dom";
+import { eastNorth, el, fixed, setText } from "../dom";
 import { countUpTo, sortedByScan, type Cloud } from "../state/cloud";
 import type { Model } from "../state/model";
 import { colour, themeGeneration } from "../theme";
@@ -98,9 +98,9 @@ export class VolumeView {
   /** Shows the points of the scans up to a time; all if none of them is known. */
   #showUpTo(time_s: number): void {
     if (!this.#cloud || !this.#points) return;
-    const past = [...this.model.scans.values()].filter((scan) => scan.time_s <= time_s).map((scan) => scan.number);
+    const past = this.model.scansUntil(time_s);
     const isComplete = past.length === this.model.scans.size || this.#source.value === "cloud";
-    const count = isComplete ? this.#cloud.count : countUpTo(this.#cloud, Math.max(0, ...past));
+    const count = isComplete ? this.#cloud.count : countUpTo(this.#cloud, past.at(-1)?.number ?? 0);
     if (count === this.#count) return;
     this.#count = count;
     this.#setRange();
@@ -128,7 +128,7 @@ export class VolumeView {
     const [a, b] = this.#picked;
     const parts = [`${this.#count} points`, `${this.#frames_ms.length} frames/s`];
     if (isClipped) parts.push(`below ${this.#clip.constant.toFixed(2)} m`);
-    if (a) parts.push(`${a.x.toFixed(2)} E, ${a.y.toFixed(2)} N, height ${a.z.toFixed(2)} m`);
+    if (a) parts.push(`${eastNorth(a.x, a.y, 2)}, height ${a.z.toFixed(2)} m`);
     if (a && b) parts.push(`distance ${fixed(a.distanceTo(b), 2, "m")}`);
     setText(this.#status, parts.join(" · "));
   }

@@ -9,7 +9,9 @@ import { readRecords } from "../../src/protocol/embedded";
 import { Chainage } from "../../src/state/chainage";
 import { coverageAreas } from "../../src/state/grid";
 import { countUpTo, sortedByScan } from "../../src/state/cloud";
+import { memoized } from "../../src/state/memoized";
 import { Model } from "../../src/state/model";
+import { countWhile } from "../../src/state/search";
 import { Series } from "../../src/state/series";
 import { Timeline } from "../../src/state/timeline";
 import { frontiersOf, hazardsOf } from "../../src/state/scene";
@@ -88,6 +90,23 @@ describe("cloud", () => {
     const sorted = sortedByScan(cloud);
     expect([[...sorted.scan!], [...sorted.clearance!], sorted.xyz[3]]).toEqual([[1, 1, 2, 3], [10, 15, 20, 30], 1.5]);
     expect([0, 1, 2, 9].map((scan) => countUpTo(sorted, scan))).toEqual([0, 2, 3, 4]);
+  });
+});
+
+describe("search and derived values", () => {
+  it("counts as a linear search does", () => {
+    for (const numbers of [[], [1], [1, 1, 2], [0, 1, 1, 4, 9]]) {
+      for (let limit = -1; limit <= 10; ++limit) {
+        expect(countWhile(numbers.length, (i) => numbers[i]! <= limit)).toBe(numbers.filter((n) => n <= limit).length);
+      }
+    }
+  });
+  it("derives once for each message", () => {
+    let calls = 0;
+    const size = memoized((message: number[]) => { ++calls; return message.length; });
+    const [a, b] = [[1, 2], [1, 2, 3]];
+    expect([size(a), size(b), size(a)]).toEqual([2, 3, 2]);
+    expect(calls).toBe(2);
   });
 });
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The layers in the order of drawing, and the meaning of the colours of ground and frontiers. */
+import { kCoverage } from "../../state/grid";
 import type { Layer } from "./layer";
 import { kDistances, kGraph, kLoopClosures, kPath, kRevoked, kTrajectory, kUncertainty } from "./lines";
 import { kFrontiers, kHazards, kScans } from "./places";
@@ -11,7 +12,7 @@ export const kLayers: Layer[] = [
 ];
 
 export const kLegend: [colour: string, meaning: string][] = [
-  ["wall", "wall"], ["free", "free"], ["unknown", "never seen"], ["driven", "driven"], ["scanned", "scanned in 3D"], ["seen", "seen by the laser only"],
+  ["wall", "wall"], ["free", "free"], ...kCoverage,
   ["open", "frontier open"], ["done", "frontier explored"], ["blocked", "frontier blocked or too narrow"], ["soft", "frontier of another state"],
   ["water", "water, mud"], ["gas", "gas"], ["drop", "drop"], ["hazard", "other hazard"],
 ];

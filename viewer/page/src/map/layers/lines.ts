@@ -22,7 +22,7 @@ export const kTrajectory: Layer = {
 export const kDistances: Layer = {
   key: "distances", label: "distance from the start", swatch: "outbound", on: true,
   draw(frame) {
-    const line = Chainage.of(entitiesAt(frame, "trajectory"));
+    const line = Chainage.at(frame.model, frame.time_s);
     if (!line) return;
     const step_m = Math.max(1, 2 * roundStep(kDistanceSpacing_px / frame.brush.camera.scale));
     for (let distance_m = step_m; distance_m <= line.length_m; distance_m += step_m) {

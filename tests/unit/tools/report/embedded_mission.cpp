@@ -7,31 +7,14 @@
 #include <fstream>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 
 #include "common/files/file_utils.hpp"
+#include "common/text/base64.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit::test {
 namespace {
-
-std::string from_base64(const std::string& text) {
-  static const std::string digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t value = 0;
-  int bits = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const std::size_t digit = digits.find(c);
-    if (digit == std::string::npos) throw std::runtime_error("not Base64");
-    value = value << 6U | static_cast<std::uint32_t>(digit);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<char>(value >> static_cast<unsigned>(bits) & 0xffU));
-  }
-  return bytes;
-}
 
 std::string unzipped(const std::string& bytes) {
   const ScratchFolder folder;
@@ -62,8 +45,10 @@ EmbeddedMission embedded_mission(const std::string& html) {
   const std::size_t element = html.find("<script id=\"mission-data\"");
   if (element == std::string::npos) throw std::runtime_error("no mission-data");
   const std::size_t begin = html.find('>', element) + 1;
-  const std::string bytes =
-      unzipped(from_base64(html.substr(begin, html.find("</script>", begin) - begin)));
+  const auto zipped =
+      bytes_of_base64(std::string_view(html).substr(begin, html.find("</script>", begin) - begin));
+  if (!zipped) throw std::runtime_error("mission-data is not Base64");
+  const std::string bytes = unzipped(*zipped);
   const std::size_t header_size = number_at(bytes, 0, 4);
   EmbeddedMission mission;
   mission.header = nlohmann::json::parse(bytes.substr(4, header_size));

@@ -115,6 +115,7 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   statistics.from_utime = records.log_info.first_utime;
   statistics.to_utime = records.log_info.last_utime;
   statistics.phases = phase_shares(records.phases.intervals());
+  statistics.budget = records.phases.budget();
   statistics.last = records.phases.last();
   add_return_home(records, statistics);
   add_distances(records, map, statistics);
@@ -205,6 +206,20 @@ std::string outcome_text(const MissionStatistics& statistics) {
       end_text(statistics) + frontiers_text(statistics) + map_quality_text(statistics);
   if (statistics.failure && !statistics.failure->empty()) {
     text += fmt::format(" The simulated run failed: {}", sentence(*statistics.failure));
+  }
+  return text;
+}
+
+std::string time_text(const TimeBudget& budget) {
+  constexpr double kShareMin = 0.01;
+  const double all_s = budget.duration_s();
+  std::string text;
+  for (std::size_t i = 0; i < kActivities; ++i) {
+    const auto activity = static_cast<Activity>(i);
+    const double share = all_s > 0.0 ? budget.share(activity).duration_s / all_s : 0.0;
+    if (share < kShareMin) continue;
+    text += fmt::format("{}{:.0f} % {}", text.empty() ? "" : ", ", 100.0 * share,
+                        description_of(activity));
   }
   return text;
 }

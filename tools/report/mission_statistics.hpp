@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/records/event_record.hpp"
+#include "common/records/time_budget.hpp"
 #include "common/sensing/seconds.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
@@ -58,6 +59,7 @@ struct MissionStatistics {
   std::int64_t from_utime = 0;
   std::int64_t to_utime = 0;
   std::vector<PhaseShare> phases;  ///< those that occur, in the order of Phase
+  TimeBudget budget;
   std::optional<MissionPhase> last;
   std::optional<std::int64_t> return_home_utime;
   std::string return_home_reason;
@@ -88,6 +90,10 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
 
 /// Outcome of a mission in one to four sentences.
 std::string outcome_text(const MissionStatistics& statistics);
+
+/// What the time went to, in the order of Activity: "35 % driving on new ground, ..". Activities of
+/// less than a percent are left out. Empty without PHASE.
+std::string time_text(const TimeBudget& budget);
 
 /// The errors against TRUTH, beside the allowed ones, in one line; empty without TRUTH.
 std::string accuracy_text(const MissionStatistics& statistics);

@@ -36,6 +36,18 @@ Json phases_json(const MissionStatistics& statistics) {
   return {{"reported_by_mission", statistics.last.has_value()}, {"by_phase", std::move(phases)}};
 }
 
+Json time_json(const TimeBudget& budget) {
+  Json activities = Json::object();
+  for (std::size_t i = 0; i < kActivities; ++i) {
+    const auto activity = static_cast<Activity>(i);
+    const TimeBudget::Share& share = budget.share(activity);
+    activities[name_of(activity)] = {{"times", share.times},
+                                     {"duration_s", share.duration_s},
+                                     {"distance_m", share.distance_m}};
+  }
+  return activities;
+}
+
 Json outcome_json(const MissionStatistics& statistics) {
   return {{"outcome", statistics.last ? Json(name_of(statistics.last->outcome)) : Json()},
           {"complete", statistics.last ? Json(statistics.last->complete) : Json()},
@@ -136,6 +148,7 @@ std::string mission_summary_json(const MissionStatistics& statistics, const Even
       {"max_distance_from_start_m", statistics.farthest_m},
       {"mission", outcome_json(statistics)},
       {"phases", phases_json(statistics)},
+      {"time_by_activity", time_json(statistics.budget)},
       {"scans", {{"taken", statistics.scans}, {"without_path", statistics.scans_without_path}}},
       {"map",
        {{"local_maps", statistics.local_maps},

@@ -29,8 +29,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_
                                    local_maps, in_interval, in_ellipsoid, normalised_error_squared,
                                    rmse_estimated_m, rmse_estimated_z_m, length_ratio, verdicts,
                                    false_verdicts, unconfirmed, route_home_verdicts, complete,
-                                   rescans, back_offs, guard_stops, loop_closures, between_levels,
-                                   merged_m)
+                                   rescans, back_offs, guard_stops, activity_times, activity_s,
+                                   activity_m, loop_closures, between_levels, merged_m)
 
 }  // namespace test
 
@@ -182,6 +182,35 @@ void print_table(const std::vector<MissionRow>& rows) {
                   score.guard_stops)
         << format("| %zu; %zu | %.1f |\n", score.loop_closures, score.between_levels,
                   score.merged_m);
+  }
+}
+
+void print_times(const std::vector<MissionRow>& rows) {
+  std::string heading = "\n| mine, seconds ";
+  for (std::size_t i = 0; i < kActivities; ++i)
+    heading += format("| %s ", description_of(static_cast<Activity>(i)));
+  print_heading(heading + "|");
+  std::array<double, kActivities> sum_s{};
+  std::array<double, kActivities> sum_m{};
+  std::array<std::size_t, kActivities> times{};
+  double all_s = 0.0;
+  for (const auto& [name, world, score] : rows) {
+    std::cout << format("| %s ", name.c_str());
+    for (std::size_t i = 0; i < kActivities; ++i) {
+      std::cout << format("| %.0f ", score.activity_s[i]);
+      sum_s[i] += score.activity_s[i];
+      sum_m[i] += score.activity_m[i];
+      times[i] += score.activity_times[i];
+      all_s += score.activity_s[i];
+    }
+    std::cout << "|\n";
+  }
+  print_heading("\n| activity | times | duration (s) | share (%) | distance (m) | speed (m/s) |");
+  for (std::size_t i = 0; i < kActivities; ++i) {
+    std::cout << format("| %s | %zu | %.0f | %.1f | %.0f | %.2f |\n",
+                        description_of(static_cast<Activity>(i)), times[i], sum_s[i],
+                        100.0 * sum_s[i] / std::max(all_s, 1.0), sum_m[i],
+                        sum_m[i] / std::max(sum_s[i], 1.0));
   }
 }
 

@@ -69,6 +69,7 @@ void run(const Options& options) {
   run_rows(rows, options.row, options.jobs);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   print_table(rows);
+  print_times(rows);
   print_summary(rows, wall.count());
 }
 

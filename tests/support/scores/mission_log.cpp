@@ -43,6 +43,9 @@ class Reader {
       add_message<pose_graph_t>(event, [this](const auto& p) { add(p); });
     if (on(channels::kPhase))
       add_message<phase_t>(event, [this](const auto& phase) { add(phase); });
+    if (on(channels::kVehicleState)) {
+      add_message<vehicle_state_t>(event, [this](const auto& state) { log_.budget.add(state); });
+    }
     if (on(channels::kExploreRequest)) {
       add_message<explore_request_t>(event, [this](const auto& request) { add(request); });
     }
@@ -83,6 +86,7 @@ class Reader {
   }
   void add_pose(const StampedPose& pose) {
     if (!pose_steps_.check(stream_pose(pose), pose.utime).empty()) return;
+    log_.budget.add(pose.utime, pose.T_odom_body, pose.z_m);
     if (!is_due(odom_, pose.utime)) return;
     odom_.push_back({pose.utime, pose.T_odom_body, pose.z_m});
     log_.estimated.push_back({pose.utime, correction_.T_map_odom * pose.T_odom_body,
@@ -98,6 +102,7 @@ class Reader {
     }
   }
   void add(const MissionPhase& phase) {
+    log_.budget.add(phase);
     executes_ = phase.phase == Phase::kExecute;
     if (log_.phases.empty() || phase.sequence != log_.phases.back().sequence) {
       log_.phases.push_back(phase);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/pose_graph/map_graph.hpp"
+#include "common/records/time_budget.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
 #include "tools/eval/trajectory.hpp"
@@ -29,6 +30,7 @@ struct MissionLog {
   std::vector<MissionPhase> phases;              ///< each change once
   std::vector<BlockedVerdict> verdicts;          ///< each once
   std::optional<ExplorationReport> report;       ///< the last
+  TimeBudget budget;
   int guard_stops = 0;                           ///< while a path was driven
   double distance_travelled_m = 0.0;             ///< true
   std::string failure;                           ///< why the run failed; empty if it did not

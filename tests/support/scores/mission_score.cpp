@@ -56,6 +56,15 @@ void add_phases(const MissionLog& log, MissionScore& score) {
   score.complete = log.phases.back().complete;
 }
 
+void add_times(const TimeBudget& budget, MissionScore& score) {
+  for (std::size_t i = 0; i < kActivities; ++i) {
+    const TimeBudget::Share& share = budget.share(static_cast<Activity>(i));
+    score.activity_times[i] = share.times;
+    score.activity_s[i] = share.duration_s;
+    score.activity_m[i] = share.distance_m;
+  }
+}
+
 void add_trajectory(const MissionLog& log, MissionScore& score) {
   score.distance_travelled_m = log.distance_travelled_m;
   if (log.truth.empty()) return;
@@ -159,6 +168,7 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;
   score.outcome = outcome_of(log);
   add_phases(log, score);
+  add_times(log.budget, score);
   add_trajectory(log, score);
   add_consistency(log, score);
   add_coverage(log, score);

@@ -46,6 +46,9 @@ struct MissionScore {
   int rescans = 0;              ///< repeated scans from the same viewpoint
   int back_offs = 0;
   int guard_stops = 0;
+  std::array<std::size_t, kActivities> activity_times{};  ///< by Activity, as in TimeBudget
+  std::array<double, kActivities> activity_s{};
+  std::array<double, kActivities> activity_m{};
   std::size_t loop_closures = 0;   ///< see LevelConsistency
   std::size_t between_levels = 0;  ///< of these
   double merged_m = 0.0;

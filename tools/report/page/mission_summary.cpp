@@ -146,6 +146,8 @@ Metrics metrics_of(const MissionRecords& records, const MissionStatistics& stati
                      fmt::format("{}, {}", statistics.loop_closures.accepted, statistics.revoked)});
   metrics.push_back({"stops by the guard",
                      fmt::format("{}, {}", statistics.stops, duration_text(statistics.stopped_s))});
+  const std::string time = time_text(statistics.budget);
+  if (!time.empty()) metrics.push_back({"time", time});
   metrics.push_back({"restarts and timeouts", fmt::to_string(statistics.restarts)});
   add_state(records.state, metrics);
   add_truth(statistics, metrics);

@@ -7,6 +7,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
@@ -25,6 +26,12 @@ bool is_same_interval(const MissionPhase& a, const MissionPhase& b) {
 PhaseRecord::PhaseRecord(Bus& bus) {
   subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kQueued),
                      [this](const MissionPhase& phase) { on_phase(phase); });
+  subscribe<vehicle_state_t>(bus, channels::kVehicleState, Delivery::queued(kQueued),
+                             [this](const VehicleState& state) { budget_.add(state); });
+  subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kQueued),
+                    [this](const StampedPose& pose) {
+                      budget_.add(pose.utime, pose.T_odom_body, pose.z_m);
+                    });
   subscribe<scan_request_t>(
       bus, channels::kScanRequest, Delivery::queued(kQueued),
       [this](const ScanRequest& request) { infer(request.utime, Phase::kScan); });
@@ -42,6 +49,7 @@ PhaseRecord::PhaseRecord(Bus& bus) {
 }
 
 void PhaseRecord::on_phase(const MissionPhase& phase) {
+  budget_.add(phase);
   if (reported_.empty() || !is_same_interval(reported_.back().phase, phase)) {
     if (!reported_.empty()) {
       reported_.back().to_utime = std::max(phase.utime, reported_.back().phase.utime);

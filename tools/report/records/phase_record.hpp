@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/records/time_budget.hpp"
 #include "common/sensing/seconds.hpp"
 #include "common/types/mission.hpp"
 
@@ -36,6 +37,8 @@ class PhaseRecord {
   }
   /// True if the intervals are from PHASE, false if they are inferred.
   [[nodiscard]] bool reported() const { return !reported_.empty(); }
+  /// By PHASE, VEHICLE_STATE and POSE; empty without PHASE.
+  [[nodiscard]] const TimeBudget& budget() const { return budget_; }
   /// Last PHASE; nothing without PHASE.
   [[nodiscard]] const std::optional<MissionPhase>& last() const { return last_; }
   /// Time of the decision to return home.
@@ -47,6 +50,7 @@ class PhaseRecord {
 
   std::vector<PhaseInterval> reported_;
   std::vector<PhaseInterval> inferred_;
+  TimeBudget budget_;
   std::optional<MissionPhase> last_;
   std::optional<std::int64_t> return_home_utime_;
 };

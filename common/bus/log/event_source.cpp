@@ -138,9 +138,9 @@ std::optional<LogEventView> LogFile::next() {
 }
 
 bool is_playable_after(std::int64_t utime, std::int64_t before_utime) {
-  constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;
+  constexpr std::int64_t kDayUs = 24LL * 3600 * 1'000'000;
   if (!is_plausible_utime(utime)) return false;
-  return before_utime == 0 || utime - before_utime < kGapMaxUs;
+  return before_utime == 0 || utime - before_utime < kDayUs;
 }
 
 namespace {

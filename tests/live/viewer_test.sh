@@ -7,6 +7,7 @@
 # packages of viewer/page (npm ci). Cases:
 #   log      agrees with every compared message of a played log
 #   mission  sees the mission that runs in a private network; a port in use is replaced; --no-view serves nothing
+#   orders   sends orders to the mission, which ends, by `adit view --mission --orders`; then plays its log by the same command
 set -u
 here=$(dirname "$(readlink -f "$0")")
 adit=$1; case=$2
@@ -66,6 +67,31 @@ case $case in
     if node "$here/viewer/client.mjs" "$modules" "ws://$at" - 1 >/dev/null 2>&1; then
       fail "adit-viewer outlives its mission"
     fi
+    ;;
+  orders)
+    "$adit" mission "$here/bent_tunnel.yaml" --config "$scratch/config.yaml" --out "$scratch/out" --no-view --speed 4 \
+      >"$scratch/mission.text" 2>&1 &
+    mission=$!
+    # The folder names the mission only once its processes run.
+    for ((i = 0; i < kDeadlineSeconds * 10; ++i)); do
+      grep -q "adit spy --mission" "$scratch/mission.text" && break
+      sleep 0.1
+    done
+    "$adit" view --mission "$scratch/out" --orders --port 0 >"$scratch/view.text" 2>&1 &
+    view=$!
+    at=$(address "$scratch/view.text") || fail "adit view --mission prints no address"
+    token=$(sed -n 's/^token of orders: //p' "$scratch/view.text")
+    node "$here/viewer/orders.mjs" "$modules" "ws://$at" "$token" || fail "orders do not do what they say"
+    wait $mission
+    [[ $? == 1 ]] || fail "a mission that an order stopped exits with 0"
+    grep -q "stopped" "$scratch/mission.text" || fail "the mission does not say that it was stopped"
+    kill -INT $view
+    wait $view || fail "adit view exits with $?"
+    "$adit" view --mission "$scratch/out" --port 0 >"$scratch/play.text" 2>&1 &
+    "$adit" view --mission "$scratch/out" --orders --port 0 >"$scratch/rejected.text" 2>&1 && fail "a log takes orders"
+    grep -q "only a running mission" "$scratch/rejected.text" || fail "no reason why a log takes no orders"
+    at=$(address "$scratch/play.text") || fail "adit view --mission does not play the logs of a finished mission"
+    node "$here/viewer/client.mjs" "$modules" "ws://$at" - 8 >"$scratch/client.text" 2>&1 || fail "the finished mission is not shown"
     ;;
   *) fail "unknown case $case" ;;
 esac

@@ -94,6 +94,8 @@ void run(ViewCommand command) {
   }
   if (command.logs.empty())
     return run_live_view(view, command.lcm_url, orders_of(command), stop, print_address);
+  if (command.orders)
+    throw std::runtime_error("--orders: a log that is played takes none, only a running mission");
   if (view.title.empty()) view.title = command.logs.front().filename().string();
   run_log_view(view, command.logs, stop, print_address);
 }

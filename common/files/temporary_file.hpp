@@ -18,6 +18,8 @@ class TemporaryFile {
 
   /// Opens it as long as this object exists.
   [[nodiscard]] std::filesystem::path path() const;
+  /// Open for reading and writing.
+  [[nodiscard]] int descriptor() const { return file_; }
 
  private:
   int file_ = -1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,6 +41,16 @@ class FreeSpace {
   }
   /// T_laser_body, in plan.
   [[nodiscard]] const Pose2& body_in_laser() const { return T_laser_body_; }
+
+  /// All there is of it, to be stored and restored.
+  [[nodiscard]] auto fields() {
+    return std::tie(T_laser_body_, angle_min_, angle_step_, z_laser_m_, rise_.x(), rise_.y(),
+                    free_m_);
+  }
+  [[nodiscard]] auto fields() const {
+    return std::tie(T_laser_body_, angle_min_, angle_step_, z_laser_m_, rise_.x(), rise_.y(),
+                    free_m_);
+  }
 
  private:
   Pose2 T_laser_body_;

@@ -54,14 +54,14 @@ double MapHeights::drift_per_m(const LocalMap& map) const {
 }
 
 const GroundOffset& MapHeights::offset_at(const PoseConstraint& loop_closure,
-                                          const std::vector<LocalWalls>& walls) {
+                                          const WallStore& walls) {
   const auto [entry, is_new] = offsets_.try_emplace({loop_closure.from, loop_closure.to});
   Offset& offset = entry->second;
   if (is_new || offset.T_from_to != loop_closure.T_from_to) {
     offset = {
         loop_closure.T_from_to,
-        ground_offset(walls[static_cast<std::size_t>(loop_closure.to)].path, loop_closure.T_from_to,
-                      walls[static_cast<std::size_t>(loop_closure.from)].path)};
+        ground_offset(walls.path(static_cast<std::size_t>(loop_closure.to)), loop_closure.T_from_to,
+                      walls.path(static_cast<std::size_t>(loop_closure.from)))};
   }
   return offset.ground;
 }
@@ -78,7 +78,7 @@ void MapHeights::add_climbs(const std::vector<LocalMap>& maps) {
   }
 }
 
-void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
+void MapHeights::update(const std::vector<LocalMap>& maps, const WallStore& walls,
                         const std::vector<PoseConstraint>& loop_closures) {
   const auto is_same = [](const LoopClosureInForce& before, const PoseConstraint& now) {
     return before.from == now.from && before.to == now.to && before.T_from_to == now.T_from_to;
@@ -102,7 +102,7 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<Loc
 
 /// Ties the ground of both local maps; −1 if they have none in common.
 int MapHeights::add_to_field(const PoseConstraint& loop_closure, const std::vector<LocalMap>& maps,
-                             const std::vector<LocalWalls>& walls) {
+                             const WallStore& walls) {
   const GroundOffset& ground = offset_at(loop_closure, walls);
   if (!std::isfinite(ground.offset_m)) return -1;
   const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
@@ -117,9 +117,9 @@ int MapHeights::add_to_field(const PoseConstraint& loop_closure, const std::vect
 }
 
 bool MapHeights::same_level(int older, int newer, const Pose2& T_older_newer,
-                            const std::vector<LocalWalls>& walls) const {
+                            const WallStore& walls) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
-  const Approach nearest = approach(walls[at(older)].path, T_older_newer, walls[at(newer)].path);
+  const Approach nearest = approach(walls.path(at(older)), T_older_newer, walls.path(at(newer)));
   const double rise_m = height_m(newer) - height_m(older) + nearest.rise_m;
   const double allowed_m = params_.level_m + params_.slope_max * nearest.distance_m +
                            kSigmas * std::sqrt(variance(older, newer));

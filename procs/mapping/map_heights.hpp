@@ -15,6 +15,7 @@
 #include "common/pose_graph/pose_graph.hpp"
 #include "common/types/local_map.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
+#include "procs/mapping/loop_closure/wall_store.hpp"
 
 namespace adit {
 
@@ -58,7 +59,7 @@ class MapHeights {
   void add_new(const std::vector<LocalMap>& maps);
   /// Solves for the heights, with these loop closures in force, at the cost of what differs from
   /// the last time. A local map does not change while it is there.
-  void update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
+  void update(const std::vector<LocalMap>& maps, const WallStore& walls,
               const std::vector<PoseConstraint>& loop_closures);
 
   /// Height of the origin of a local map above that of the first [m].
@@ -72,18 +73,17 @@ class MapHeights {
   /// where they are nearest to each other, are farther apart in height than ground and the
   /// uncertainty of the heights allow.
   [[nodiscard]] bool same_level(int older, int newer, const Pose2& T_older_newer,
-                                const std::vector<LocalWalls>& walls) const;
+                                const WallStore& walls) const;
 
  private:
   [[nodiscard]] double drift_per_m(const LocalMap& map) const;
   [[nodiscard]] HeightConstraint climb_of(const LocalMap& map, const LocalMap& before) const;
   [[nodiscard]] const GroundOffset& offset_at(const PoseConstraint& loop_closure,
-                                              const std::vector<LocalWalls>& walls);
+                                              const WallStore& walls);
 
   void add_climbs(const std::vector<LocalMap>& maps);
   [[nodiscard]] int add_to_field(const PoseConstraint& loop_closure,
-                                 const std::vector<LocalMap>& maps,
-                                 const std::vector<LocalWalls>& walls);
+                                 const std::vector<LocalMap>& maps, const WallStore& walls);
 
   /// A loop closure in force, and its constraint in the field; −1 without common ground.
   struct LoopClosureInForce {

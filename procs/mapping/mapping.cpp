@@ -51,7 +51,7 @@ Eigen::Matrix3d rotation_of(double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
+bool begins_session(const LocalMap& map, const LocalMapStore& before) {
   return !before.empty() && before.back().session != map.session;
 }
 
@@ -82,6 +82,8 @@ Mapping::Mapping(const MappingParams& params)
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
       builder_(builder_params(params)),
       association_(params.association),
+      maps_(params.scratch),
+      walls_(params.scratch),
       heights_(params.heights),
       clouds_(params.clouds),
       contradictions_(params.matching, kContradiction) {}
@@ -177,7 +179,7 @@ void Mapping::localise_at_rest() {
   const Pose2 T_odom_here = here.T_odom_local;
   const int id = here.id;
   append_map(std::move(here));
-  heights_.add_new(maps_);
+  heights_.add_new(maps_.headers());
   const auto decided =
       association_.decide(loop_closures(id, association_.trial(), false), maps_.back().utime);
   const bool found = std::ranges::any_of(
@@ -231,7 +233,7 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   MapUpdate update;
   update.map = map;
   append_map(std::move(map));                   // section 2.1
-  heights_.add_new(maps_);                      // to tell levels apart
+  heights_.add_new(maps_.headers());            // to tell levels apart
   update.associations = associate(update.map);  // sections 2.2 and 2.3
   if (!update.associations.empty()) update_heights();
   ++revision_;
@@ -340,9 +342,9 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
 std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return std::nullopt;
-  const auto first = std::ranges::lower_bound(maps_, session, {}, &LocalMap::session);
+  const auto first = std::ranges::lower_bound(maps_.headers(), session, {}, &LocalMap::session);
   return association_.trial().least_covariance(static_cast<int>(maps_.size()) - 1,
-                                               static_cast<int>(first - maps_.begin()));
+                                               static_cast<int>(first - maps_.headers().begin()));
 }
 
 void Mapping::update_covariance_from_first() {
@@ -364,7 +366,7 @@ Eigen::Matrix3d Mapping::body_covariance() const {
 
 void Mapping::append_map(LocalMap map) {
   walls_.push_back(local_walls(map, mounts_, params_.walls));
-  extents_.emplace_back(walls_.back());
+  extents_.emplace_back(*walls_.back());
   reach_m_.push_back(extents_.back().reach_m());
   association_.add_map(map.T_previous_local, map.information);
   maps_.push_back(std::move(map));
@@ -400,7 +402,7 @@ void Mapping::update_heights() {
   std::erase_if(loop_closures, [&](const PoseConstraint& loop_closure) {
     return is_neighbour(loop_closure.from, loop_closure.to);
   });
-  heights_.update(maps_, walls_, loop_closures);
+  heights_.update(maps_.headers(), walls_, loop_closures);
 }
 
 void Mapping::update_contradictions() {
@@ -435,7 +437,8 @@ std::vector<Association> Mapping::reconnect() {
     const int after = lost + 1;
     const bool ends_gap = std::ranges::find(lost_, after) == lost_.end();
     if (lost == 0 || !ends_gap || is_bridged(after)) continue;
-    for (int map = after; map < after + kMapsAfterGap && map < std::ssize(maps_); ++map) {
+    for (int map = after; map < after + kMapsAfterGap && map < static_cast<int>(maps_.size());
+         ++map) {
       if (maps_[static_cast<std::size_t>(map)].scans.empty()) break;
       const auto found =
           association_.decide(loop_closures_over_gap(map, after), maps_.back().end_utime);
@@ -499,7 +502,7 @@ std::vector<LoopClosure> Mapping::relocalise() const {
     LoopClosure loop_closure;
     loop_closure.newer_map = static_cast<int>(maps_.size()) - 1;
     loop_closure.alternatives =
-        match_maps(walls_.back(), walls_around(older, poses), older, anywhere, params_.matching);
+        match_maps(*walls_.back(), walls_around(older, poses), older, anywhere, params_.matching);
     std::erase_if(loop_closure.alternatives, [](const LoopClosureAlternative& a) {
       return a.log_likelihood < kRelocalisedLogLikelihood;
     });
@@ -550,7 +553,7 @@ std::vector<LoopClosure> Mapping::matches_of(const std::vector<LoopClosureCandid
     LoopClosure loop_closure;
     loop_closure.newer_map = map;
     loop_closure.alternatives =
-        match_maps(walls_[static_cast<std::size_t>(map)], walls_around(candidate.older, poses),
+        match_maps(*walls_[static_cast<std::size_t>(map)], walls_around(candidate.older, poses),
                    candidate.older, candidate.predicted, params_.matching);
     std::erase_if(loop_closure.alternatives, [&](const LoopClosureAlternative& alternative) {
       return !heights_.same_level(candidate.older, map, alternative.T_older_newer, walls_);
@@ -600,7 +603,7 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
          loop_closure_candidates(poses, near, up_to(map, extents_), params_.candidates)) {
       const Pose2& T_older_newer = candidate.predicted.T_older_newer;
       if (!heights_.same_level(candidate.older, map, T_older_newer, walls_)) continue;
-      largest = std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],
+      largest = std::max(largest, contradiction(*walls_[static_cast<std::size_t>(map)],
                                                 walls_around(candidate.older, poses), T_older_newer,
                                                 params_.matching));
     }
@@ -609,7 +612,7 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   for (const auto& [older, newer] : known_contradictions(newest - kMapsMonitored)) {
     const auto poses = up_to(newer, T_map_local);
     const Pose2 T_older_newer = between(poses[static_cast<std::size_t>(older)], poses.back());
-    map_inconsistency += contradiction(walls_[static_cast<std::size_t>(newer)],
+    map_inconsistency += contradiction(*walls_[static_cast<std::size_t>(newer)],
                                        walls_around(older, poses), T_older_newer, params_.matching);
   }
   return map_inconsistency;
@@ -641,7 +644,7 @@ std::vector<PlacedWalls> Mapping::walls_around(int map, std::span<const Pose2> T
     if (k < 0 || k >= static_cast<int>(T_map_local.size())) continue;
     if (maps_[at(k)].session != maps_[at(map)].session) continue;
     const double z_m = k < map ? -maps_[at(map)].climb_m : k > map ? maps_[at(k)].climb_m : 0.0;
-    placed.push_back({&walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)]), z_m});
+    placed.push_back({walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)]), z_m});
   }
   return placed;
 }

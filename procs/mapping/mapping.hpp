@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,11 +24,13 @@
 #include "procs/mapping/association/lazy_association.hpp"
 #include "procs/mapping/level_error.hpp"
 #include "procs/mapping/local_map_builder.hpp"
+#include "procs/mapping/local_map_store.hpp"
 #include "procs/mapping/loop_closure/cloud_matching.hpp"
 #include "procs/mapping/loop_closure/contradiction_monitor.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
+#include "procs/mapping/loop_closure/wall_store.hpp"
 #include "procs/mapping/map_gaps.hpp"
 #include "procs/mapping/map_heights.hpp"
 
@@ -50,6 +53,9 @@ struct MappingParams {
   /// A local map that overlaps this many older ones and shows nothing new is discarded after it has
   /// localised the body. 0: all are stored.
   int maps_per_place_max = 0;
+  /// Folder for a temporary file with the scans and walls of finished local maps; empty: they are
+  /// in memory, so that mapping depends on no disk. Not a key of the configuration.
+  std::filesystem::path scratch = {};
 
   template <class V>
   void visit(V& v) {
@@ -133,7 +139,7 @@ class Mapping : private Evidence {
   /// The unfinished local map.
   [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
-  [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return maps_; }
+  [[nodiscard]] const LocalMapStore& local_maps() const { return maps_; }
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
 
  private:
@@ -178,8 +184,8 @@ class Mapping : private Evidence {
   LaserMounts mounts_;
   LocalMapBuilder builder_;
   LazyAssociation association_;
-  std::vector<LocalMap> maps_;
-  std::vector<LocalWalls> walls_;
+  LocalMapStore maps_;
+  WallStore walls_;
   std::vector<MapExtent> extents_;
   std::vector<double> reach_m_;  // of the extents
   MapHeights heights_;

@@ -157,12 +157,12 @@ void MappingNode::publish_update(const MapUpdate& update) {
 void MappingNode::resend() {
   if (restored_) publish_update(*std::exchange(restored_, std::nullopt));
   if (graph_pending_) publish_graph();
-  const std::vector<LocalMap>& maps = mapping_.local_maps();
+  const LocalMapStore& maps = mapping_.local_maps();
   for (std::size_t sent = 0; sent < kResendFragments; ++sent) {
     if (resend_queue_.empty()) {
       const auto next = resender_.next(maps.size());
       if (!next) return;
-      for (LocalMapFragment& fragment : split(maps[*next]))
+      for (LocalMapFragment& fragment : split(maps.load(*next)))
         resend_queue_.push_back(std::move(fragment));
     }
     publish(bus_, channels::kLocalMap, to_message(resend_queue_.front()));

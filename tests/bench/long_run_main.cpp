@@ -141,7 +141,7 @@ class LongRun {
 Trajectory trajectory_of(const Mapping& mapping, bool in_odom) {
   Trajectory trajectory;
   const auto& poses = mapping.association().hypothesis().T_map_local;
-  for (const LocalMap& map : mapping.local_maps()) {
+  for (const LocalMap& map : mapping.local_maps().load_all()) {
     const Pose2& T = in_odom ? map.T_odom_local : poses[static_cast<std::size_t>(map.id)];
     for (const LocalScan& scan : map.scans) {
       if (!trajectory.empty() && trajectory.back().utime >= scan.scan.utime) continue;

@@ -32,26 +32,63 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share) {
           wrap_angle(a.theta + share * angle_diff(b.theta, a.theta))};
 }
 
-std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime) {
-  const auto at = interpolate_in_space(trajectory, utime);
-  return at ? std::optional(at->pose) : std::nullopt;
-}
+namespace {
 
-std::optional<TimedPose> interpolate_in_space(const Trajectory& trajectory, std::int64_t utime) {
+template <class Poses>
+std::optional<TimedPose> pose_at(const Poses& trajectory, std::int64_t utime) {
   if (trajectory.empty() || utime < trajectory.front().utime - kToleranceUs ||
       utime > trajectory.back().utime + kToleranceUs) {
     return std::nullopt;
   }
-  const auto after =
-      std::lower_bound(trajectory.begin(), trajectory.end(), utime,
-                       [](const TimedPose& p, std::int64_t t) { return p.utime < t; });
-  if (after == trajectory.begin()) return TimedPose{utime, after->pose, after->z_m};
-  const auto before = after - 1;
-  if (after == trajectory.end()) return TimedPose{utime, before->pose, before->z_m};
-  const double share = static_cast<double>(utime - before->utime) /
-                       static_cast<double>(after->utime - before->utime);
-  return TimedPose{utime, blend(before->pose, after->pose, share),
-                   std::lerp(before->z_m, after->z_m, share)};
+  const auto found = std::ranges::lower_bound(trajectory, utime, {}, &TimedPose::utime);
+  if (found == trajectory.begin()) return TimedPose{utime, (*found).pose, (*found).z_m};
+  const TimedPose before = *(found - 1);
+  if (found == trajectory.end()) return TimedPose{utime, before.pose, before.z_m};
+  const TimedPose after = *found;
+  const double share =
+      static_cast<double>(utime - before.utime) / static_cast<double>(after.utime - before.utime);
+  return TimedPose{utime, blend(before.pose, after.pose, share),
+                   std::lerp(before.z_m, after.z_m, share)};
+}
+
+template <class Poses>
+double travelled_m(const Poses& trajectory, double step_m) {
+  double length = 0.0;
+  std::optional<TimedPose> last;
+  for (const TimedPose& pose : trajectory) {
+    if (!last) last = pose;
+    const double distance = (pose.pose.translation() - last->pose.translation()).norm();
+    if (distance < step_m) continue;
+    length += distance;
+    last = pose;
+  }
+  return length;
+}
+
+std::optional<Pose2> in_plan(const std::optional<TimedPose>& at) {
+  return at ? std::optional(at->pose) : std::nullopt;
+}
+
+std::string tum_line(const TimedPose& at, bool with_height) {
+  const auto& [utime, pose, z_m] = at;
+  const std::string z = with_height ? fmt::format("{:.9f}", z_m) : "0";
+  return fmt::format("{}.{:06} {:.9f} {:.9f} {} 0 0 {:.12f} {:.12f}\n", utime / kMicroseconds,
+                     utime % kMicroseconds, pose.x, pose.y, z, std::sin(pose.theta / 2.0),
+                     std::cos(pose.theta / 2.0));
+}
+
+}  // namespace
+
+std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime) {
+  return in_plan(pose_at(trajectory, utime));
+}
+
+std::optional<Pose2> interpolate(const Spool<TimedPose>& trajectory, std::int64_t utime) {
+  return in_plan(pose_at(trajectory, utime));
+}
+
+std::optional<TimedPose> interpolate_in_space(const Trajectory& trajectory, std::int64_t utime) {
+  return pose_at(trajectory, utime);
 }
 
 bool has_heights(const Trajectory& trajectory) {
@@ -68,31 +105,42 @@ double path_length_m(const Trajectory& trajectory) {
 }
 
 double distance_travelled_m(const Trajectory& trajectory, double step_m) {
-  double length = 0.0;
-  const TimedPose* last = trajectory.empty() ? nullptr : &trajectory.front();
-  for (const TimedPose& pose : trajectory) {
-    const double distance = (pose.pose.translation() - last->pose.translation()).norm();
-    if (distance < step_m) continue;
-    length += distance;
-    last = &pose;
-  }
-  return length;
+  return travelled_m(trajectory, step_m);
+}
+
+double distance_travelled_m(const Spool<TimedPose>& trajectory, double step_m) {
+  return travelled_m(trajectory, step_m);
 }
 
 void write_tum(std::ostream& out, const Trajectory& trajectory) {
   const bool heights = has_heights(trajectory);
-  for (const auto& [utime, pose, z_m] : trajectory) {
-    const std::string z = heights ? fmt::format("{:.9f}", z_m) : "0";
-    out << fmt::format("{}.{:06} {:.9f} {:.9f} {} 0 0 {:.12f} {:.12f}\n", utime / kMicroseconds,
-                       utime % kMicroseconds, pose.x, pose.y, z, std::sin(pose.theta / 2.0),
-                       std::cos(pose.theta / 2.0));
-  }
+  for (const TimedPose& pose : trajectory) out << tum_line(pose, heights);
 }
 
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
-  std::ostringstream text;
-  write_tum(text, trajectory);
-  write_text_file(text.str(), path);
+  TumWriter writer(path, has_heights(trajectory));
+  for (const TimedPose& pose : trajectory) writer.add(pose);
+  writer.close();
+}
+
+TumWriter::TumWriter(const std::filesystem::path& path, bool with_heights)
+    : file_(path), output_(file_.part(), path), with_heights_(with_heights) {}
+
+void TumWriter::add(const TimedPose& pose) {
+  constexpr std::size_t kWrittenAtOnce = 65536;
+  text_ += tum_line(pose, with_heights_);
+  if (text_.size() >= kWrittenAtOnce) flush();
+}
+
+void TumWriter::flush() {
+  output_.write(text_);
+  text_.clear();
+}
+
+void TumWriter::close() {
+  flush();
+  output_.close();
+  file_.publish();
 }
 
 Trajectory read_tum(std::istream& in, std::string_view name) {

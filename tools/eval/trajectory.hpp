@@ -6,11 +6,15 @@
 #include <filesystem>
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "common/files/new_file.hpp"
+#include "common/files/output_file.hpp"
+#include "common/files/spool.hpp"
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
@@ -36,6 +40,7 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share);
 /// The pose at a time, interpolated. Nothing more than a millisecond before the first or after the
 /// last pose; within a millisecond, for stamps written with fewer digits, that pose.
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime);
+std::optional<Pose2> interpolate(const Spool<TimedPose>& trajectory, std::int64_t utime);
 /// The same with its height.
 std::optional<TimedPose> interpolate_in_space(const Trajectory& trajectory, std::int64_t utime);
 
@@ -49,6 +54,7 @@ double path_length_m(const Trajectory& trajectory);
 /// least `step_m` apart. Smaller jitter adds nothing. A straight line loses less than a step at its
 /// end, an arc of radius R in steps of s the share s²/24R².
 double distance_travelled_m(const Trajectory& trajectory, double step_m);
+double distance_travelled_m(const Spool<TimedPose>& trajectory, double step_m);
 
 /// Step for distance_travelled_m: above the jitter of scan matching, far below the radius of bends.
 inline constexpr double kTravelStepM = 0.2;
@@ -59,6 +65,23 @@ inline constexpr double kTravelStepM = 0.2;
 void write_tum(std::ostream& out, const Trajectory& trajectory);
 /// Throws std::runtime_error with the path if the file cannot be written.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
+/// The same, line by line, of a trajectory of any length; `with_heights`: of has_heights.
+class TumWriter {
+ public:
+  TumWriter(const std::filesystem::path& path, bool with_heights);
+
+  void add(const TimedPose& pose);
+  /// The file has its name when this returns.
+  void close();
+
+ private:
+  void flush();
+
+  NewFile file_;
+  OutputFile output_;
+  bool with_heights_;
+  std::string text_;
+};
 
 /// Reads position and yaw. A malformed line, or a time that does not increase, throws
 /// std::runtime_error with `name:line: reason`.

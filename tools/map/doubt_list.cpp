@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,7 +15,6 @@ namespace adit {
 namespace {
 
 constexpr double kJoinedM = 2.0;  // less than the length of a local map
-constexpr std::size_t kStretchesMax = 200;
 constexpr std::size_t kTold = 5;  // stretches in a line of text
 constexpr double kLongS = 10.0;   // in which a body without sensors may have gone metres
 
@@ -33,22 +32,6 @@ const char* reason_text(MatchDoubt::Reason reason) {
       break;
   }
   return "contradicted by sensors";
-}
-
-/// Distance travelled up to each pose [m].
-std::vector<double> distances(const Trajectory& path) {
-  std::vector<double> along(path.size(), 0.0);
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    along[i] = along[i - 1] + between(path[i - 1].pose, path[i].pose).translation().norm();
-  }
-  return along;
-}
-
-double distance_at(std::int64_t utime, const Trajectory& path, const std::vector<double>& along) {
-  if (path.empty()) return 0.0;
-  const auto pose = std::ranges::lower_bound(path, utime, {}, &TimedPose::utime);
-  const auto i = static_cast<std::size_t>(pose - path.begin());
-  return along[std::min(i, along.size() - 1)];
 }
 
 void add_reasons(const std::vector<std::string>& more, std::vector<std::string>& reasons) {
@@ -70,14 +53,39 @@ void append(const DoubtfulStretch& next, double joined_m, std::vector<DoubtfulSt
   last.to_m = std::max(last.to_m, next.to_m);
   last.motions += next.motions;
   last.alternatives = std::max(last.alternatives, next.alternatives);
+  for (const int map : next.local_maps) {
+    if (last.local_maps.empty() || map > last.local_maps.back()) last.local_maps.push_back(map);
+  }
   add_reasons(next.reasons, last.reasons);
 }
 
-std::vector<DoubtfulStretch> joined(const std::vector<DoubtfulStretch>& stretches,
-                                    double joined_m) {
-  std::vector<DoubtfulStretch> result;
-  for (const DoubtfulStretch& stretch : stretches) append(stretch, joined_m, result);
-  return result;
+/// Few stretches from any number in order: those that are near are joined, over twice the distance
+/// whenever there are too many.
+class StretchList {
+ public:
+  explicit StretchList(double joined_m) : joined_m_(joined_m) {}
+
+  void add(const DoubtfulStretch& next) {
+    append(next, joined_m_, stretches_);
+    while (stretches_.size() > kStretchesMax) {
+      joined_m_ *= 2.0;
+      std::vector<DoubtfulStretch> joined;
+      for (const DoubtfulStretch& stretch : stretches_) append(stretch, joined_m_, joined);
+      stretches_ = std::move(joined);
+    }
+  }
+
+  [[nodiscard]] std::vector<DoubtfulStretch>& stretches() { return stretches_; }
+
+ private:
+  double joined_m_;
+  std::vector<DoubtfulStretch> stretches_;
+};
+
+std::vector<DoubtfulStretch> fewer(const std::vector<DoubtfulStretch>& stretches) {
+  StretchList list(kJoinedM);
+  for (const DoubtfulStretch& stretch : stretches) list.add(stretch);
+  return std::move(list.stretches());
 }
 
 /// Ids of consecutive local maps.
@@ -125,10 +133,21 @@ std::string stretch_text(const DoubtfulStretch& stretch) {
 
 }  // namespace
 
+double DistanceAlong::operator()(std::int64_t utime) const {
+  if (points_.empty()) return 0.0;
+  const auto point = std::ranges::lower_bound(points_, utime, {}, &Point::utime);
+  return point == points_.end() ? points_.back().distance_m : (*point).distance_m;
+}
+
+void DistanceAlong::add(const TimedPose& pose) {
+  if (last_) distance_m_ += between(*last_, pose.pose).translation().norm();
+  last_ = pose.pose;
+  points_.push_back({pose.utime, distance_m_});
+}
+
 std::vector<DoubtfulStretch> contradictory_stretches(
-    const std::vector<MapContradiction>& contradictions, const Trajectory& path,
+    const std::vector<MapContradiction>& contradictions, const DistanceAlong& distance_at,
     const std::vector<const LocalMap*>& local_maps) {
-  const std::vector<double> along = distances(path);
   std::vector<DoubtfulStretch> stretches;
   for (const MapInterval& common : common_intervals(contradictions)) {
     DoubtfulStretch stretch;
@@ -140,38 +159,29 @@ std::vector<DoubtfulStretch> contradictory_stretches(
       stretch.local_maps.push_back(map->id);
     }
     if (stretch.local_maps.empty()) continue;  // of earlier runs
-    stretch.from_m = distance_at(stretch.from_utime, path, along);
-    stretch.to_m = distance_at(stretch.to_utime, path, along);
+    stretch.from_m = distance_at(stretch.from_utime);
+    stretch.to_m = distance_at(stretch.to_utime);
     stretches.push_back(std::move(stretch));
   }
   return stretches;
 }
 
-std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+std::vector<DoubtfulStretch> doubtful_stretches(const Spool<MotionDoubt>& doubts,
                                                 const std::vector<MapContradiction>& contradictions,
-                                                const Trajectory& odometry,
+                                                const DistanceAlong& distance_at,
                                                 const std::vector<LocalMap>& local_maps) {
-  const std::vector<double> along = distances(odometry);
-  std::vector<DoubtfulStretch> stretches;
-  for (const MatchDoubt& doubt : doubts) {
-    const double from_m = distance_at(doubt.from_utime, odometry, along);
-    const double to_m = distance_at(doubt.utime, odometry, along);
-    stretches.push_back({doubt.from_utime,
-                         doubt.utime,
-                         from_m,
-                         to_m,
-                         1,
-                         doubt.alternatives.size(),
-                         {reason_text(doubt.reason)},
-                         {}});
+  StretchList motions(kJoinedM);
+  for (const MotionDoubt& doubt : doubts) {
+    motions.add({doubt.from_utime,
+                 doubt.utime,
+                 distance_at(doubt.from_utime),
+                 distance_at(doubt.utime),
+                 1,
+                 doubt.alternatives,
+                 {reason_text(doubt.reason)},
+                 {}});
   }
-  double joined_m = kJoinedM;
-  stretches = joined(stretches, joined_m);
-  while (stretches.size() > kStretchesMax) {
-    joined_m *= 2.0;
-    stretches = joined(stretches, joined_m);
-  }
-  for (DoubtfulStretch& stretch : stretches) {
+  for (DoubtfulStretch& stretch : motions.stretches()) {
     for (const LocalMap& map : local_maps) {
       const bool overlaps = map.utime <= stretch.to_utime && map.end_utime >= stretch.from_utime;
       if (overlaps) stretch.local_maps.push_back(map.id);
@@ -179,8 +189,9 @@ std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& d
   }
   std::vector<const LocalMap*> maps;
   for (const LocalMap& map : local_maps) maps.push_back(&map);
-  std::vector<DoubtfulStretch> all = contradictory_stretches(contradictions, odometry, maps);
-  all.insert(all.end(), stretches.begin(), stretches.end());
+  std::vector<DoubtfulStretch> all = contradictory_stretches(contradictions, distance_at, maps);
+  if (all.size() > kStretchesMax) all = fewer(all);
+  all.insert(all.end(), motions.stretches().begin(), motions.stretches().end());
   return all;
 }
 
@@ -197,16 +208,10 @@ std::string stretches_text(const std::vector<DoubtfulStretch>& stretches) {
                      more > 0 ? fmt::format(" and {} more, see summary.json", more) : "");
 }
 
-std::vector<bool> in_stretches(const std::vector<DoubtfulStretch>& stretches,
-                               const Trajectory& trajectory) {
-  std::vector<bool> inside;
-  inside.reserve(trajectory.size());
-  for (const TimedPose& pose : trajectory) {
-    inside.push_back(std::ranges::any_of(stretches, [&](const DoubtfulStretch& stretch) {
-      return stretch.from_utime <= pose.utime && pose.utime <= stretch.to_utime;
-    }));
-  }
-  return inside;
+bool in_stretches(const std::vector<DoubtfulStretch>& stretches, std::int64_t utime) {
+  return std::ranges::any_of(stretches, [utime](const DoubtfulStretch& stretch) {
+    return stretch.from_utime <= utime && utime <= stretch.to_utime;
+  });
 }
 
 }  // namespace adit

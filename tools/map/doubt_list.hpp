@@ -4,9 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/files/spool.hpp"
+#include "common/geometry/pose2.hpp"
 #include "common/sensing/match_doubt.hpp"
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
@@ -26,29 +29,61 @@ struct DoubtfulStretch {
   std::vector<int> local_maps;       ///< ids, increasing
 };
 
+/// The distance travelled along a path, in constant memory.
+class DistanceAlong {
+ public:
+  /// `poses`: in order of time.
+  template <class Poses>
+  explicit DistanceAlong(const Poses& poses) {
+    for (const TimedPose& pose : poses) add(pose);
+  }
+
+  /// At the first pose from this time on, else at the last [m].
+  [[nodiscard]] double operator()(std::int64_t utime) const;
+
+ private:
+  struct Point {
+    std::int64_t utime;
+    double distance_m;
+  };
+
+  void add(const TimedPose& pose);
+
+  Spool<Point> points_;
+  std::optional<Pose2> last_;
+  double distance_m_ = 0.0;
+};
+
+/// What the stretches need of a MatchDoubt.
+struct MotionDoubt {
+  std::int64_t utime = 0;
+  std::int64_t from_utime = 0;
+  MatchDoubt::Reason reason = MatchDoubt::Reason::kLost;
+  std::uint32_t alternatives = 0;
+};
+
 /// The fewest stretches that explain all contradictions: the path between two local maps that
 /// contradict each other is wrong somewhere, and where the stretches of several pairs have a part
 /// in common, an error there explains them all. From the beginning of the older to the end of the
-/// newer local map. `path`: in order of time; `local_maps`: those of the run, by id; what lies in
-/// earlier runs is left out.
+/// newer local map. `local_maps`: those of the run, by id; what lies in earlier runs is left out.
 std::vector<DoubtfulStretch> contradictory_stretches(
-    const std::vector<MapContradiction>& contradictions, const Trajectory& path,
+    const std::vector<MapContradiction>& contradictions, const DistanceAlong& distance_at,
     const std::vector<const LocalMap*>& local_maps);
 
 /// The contradictory stretches, then those of doubtful motions, both along the path. Motions are
-/// joined if the body moves at most 2 m between them; more than 200 stretches are joined over twice
-/// the distance, and so on. `odometry`: a pose for each scan, in order of time.
-std::vector<DoubtfulStretch> doubtful_stretches(const std::vector<MatchDoubt>& doubts,
+/// joined if the body moves at most 2 m between them; more than kStretchesMax stretches of either
+/// kind are joined over twice the distance, and so on. `doubts`: in order of time.
+std::vector<DoubtfulStretch> doubtful_stretches(const Spool<MotionDoubt>& doubts,
                                                 const std::vector<MapContradiction>& contradictions,
-                                                const Trajectory& odometry,
+                                                const DistanceAlong& distance_at,
                                                 const std::vector<LocalMap>& local_maps);
+inline constexpr std::size_t kStretchesMax = 200;
 
 /// A line for people, such as "2 doubtful stretches: at 10 to 12 m (lost), at 40 m (ambiguous)";
 /// empty without any.
 std::string stretches_text(const std::vector<DoubtfulStretch>& stretches);
 
-/// For each pose of the trajectory, whether it lies in a stretch.
-std::vector<bool> in_stretches(const std::vector<DoubtfulStretch>& stretches,
-                               const Trajectory& trajectory);
+/// Whether a time lies in a stretch.
+bool in_stretches(const std::vector<DoubtfulStretch>& stretches, std::int64_t utime);
 
 }  // namespace adit

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "common/bus/channels.hpp"
@@ -15,19 +16,37 @@ namespace {
 
 constexpr double kMetresPerRadian = 1.0;
 
-/// Distance travelled up to each pose, rotation included [m].
-std::vector<double> progress_of(const Trajectory& odometry) {
-  std::vector<double> progress;
-  for (std::size_t i = 0; i < odometry.size(); ++i) {
-    if (i == 0) {
-      progress.push_back(0.0);
-      continue;
+/// Distance travelled up to the poses that are added, rotation included [m].
+class Progress {
+ public:
+  double add(const Pose2& pose) {
+    if (last_) {
+      const Pose2 step = between(*last_, pose);
+      travelled_m_ += step.translation().norm() + kMetresPerRadian * std::abs(step.theta);
     }
-    const Pose2 step = between(odometry[i - 1].pose, odometry[i].pose);
-    progress.push_back(progress.back() + step.translation().norm() +
-                       kMetresPerRadian * std::abs(step.theta));
+    last_ = pose;
+    return travelled_m_;
   }
-  return progress;
+
+ private:
+  std::optional<Pose2> last_;
+  double travelled_m_ = 0.0;
+};
+
+/// The progress at the time of each anchor, of which the poses are in order of time.
+template <class Poses>
+std::vector<double> progress_at(const std::vector<MapAnchor>& anchors, const Poses& odometry) {
+  std::vector<double> at;
+  Progress progress;
+  double travelled_m = 0.0;
+  for (const TimedPose& pose : odometry) {
+    travelled_m = progress.add(pose.pose);
+    while (at.size() < anchors.size() && anchors[at.size()].utime <= pose.utime) {
+      at.push_back(travelled_m);
+    }
+  }
+  at.resize(anchors.size(), travelled_m);
+  return at;
 }
 
 /// T_map_body by the correction of one anchor.
@@ -35,30 +54,66 @@ Pose2 apply_anchor(const MapAnchor& anchor, const Pose2& T_odom_body) {
   return anchor.T_map_local * between(anchor.T_odom_local, T_odom_body);
 }
 
-using LocalMaps = std::span<const LocalMap>;
-
-/// The local maps of the session of the first one.
-LocalMaps first_session(LocalMaps maps) {
-  const auto end = std::find_if(maps.begin(), maps.end(), [&](const LocalMap& map) {
-    return map.session != maps.front().session;
-  });
-  return maps.first(static_cast<std::size_t>(end - maps.begin()));
+/// Passes the corrected poses to `use`, in order.
+template <class Poses, class Use>
+void correct(const Poses& odometry, const std::vector<MapAnchor>& anchors, const Use& use) {
+  if (anchors.empty()) {
+    for (const TimedPose& pose : odometry) use(pose);
+    return;
+  }
+  const std::vector<double> anchored_m = progress_at(anchors, odometry);
+  Progress progress;
+  std::size_t k = 0;  // last anchor at or before the pose
+  for (const TimedPose& at : odometry) {
+    const double travelled_m = progress.add(at.pose);
+    while (k + 1 < anchors.size() && anchors[k + 1].utime <= at.utime) ++k;
+    Pose2 T_map_body = apply_anchor(anchors[k], at.pose);
+    double z_map_odom_m = anchors[k].z_map_odom_m;
+    if (k + 1 < anchors.size() && at.utime > anchors[k].utime) {
+      const double from = anchored_m[k];
+      const double length = anchored_m[k + 1] - from;
+      const double share = length > 0.0 ? (travelled_m - from) / length : 0.0;
+      T_map_body = blend(T_map_body, apply_anchor(anchors[k + 1], at.pose), share);
+      z_map_odom_m = std::lerp(z_map_odom_m, anchors[k + 1].z_map_odom_m, share);
+    }
+    use(TimedPose{at.utime, T_map_body, at.z_m + z_map_odom_m});
+  }
 }
 
-std::vector<MapAnchor> anchors_of(LocalMaps maps, const MapGraph& graph) {
+/// Some of the local maps of a store, which have consecutive ids.
+struct MapRange {
+  const LocalMapStore* store = nullptr;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// One for each session.
+std::vector<MapRange> sessions_of(const LocalMapStore& store) {
+  std::vector<MapRange> sessions;
+  for (std::size_t i = 0; i < store.size(); ++i) {
+    if (i == 0 || store[i].session != store[i - 1].session) sessions.push_back({&store, i, i});
+    sessions.back().end = i + 1;
+  }
+  return sessions;
+}
+
+std::vector<MapAnchor> anchors_of(const MapRange& maps, const MapGraph& graph) {
   std::vector<MapAnchor> anchors;
-  for (const LocalMap& map : maps) {
-    anchors.push_back(map_anchor(map, graph));
+  for (std::size_t i = maps.begin; i < maps.end; ++i) {
+    anchors.push_back(map_anchor((*maps.store)[i], graph));
   }
   return anchors;
 }
 
 /// T_odom_body at the scans stored in the local maps of one session. Consecutive maps share a scan.
-Trajectory stored_odometry(LocalMaps maps) {
-  Trajectory odometry;
-  for (const LocalMap& map : maps) {
+Spool<TimedPose> stored_odometry(const MapRange& maps, const std::filesystem::path& scratch) {
+  Spool<TimedPose> odometry(scratch);
+  std::int64_t last_utime = std::numeric_limits<std::int64_t>::min();
+  for (std::size_t i = maps.begin; i < maps.end; ++i) {
+    const LocalMap map = maps.store->load(i);
     for (const LocalScan& scan : map.scans) {
-      if (!odometry.empty() && scan.scan.utime <= odometry.back().utime) continue;
+      if (scan.scan.utime <= last_utime) continue;
+      last_utime = scan.scan.utime;
       odometry.push_back(
           {scan.scan.utime, map.T_odom_local * scan.T_local_body, map.z_odom_m + scan.z_m});
     }
@@ -66,29 +121,25 @@ Trajectory stored_odometry(LocalMaps maps) {
   return odometry;
 }
 
-void place_scan(const std::string& channel, const LaserScan& scan, const Trajectory& path,
-                std::vector<PlacedScan>& placed) {
-  if (const auto T_map_body = interpolate(path, scan.utime)) {
-    placed.push_back({&channel, &scan, *T_map_body});
-  }
+/// True if there is no pose at the time of the scan.
+bool use_scan(const std::string& channel, const LaserScan& scan, const Spool<TimedPose>& path,
+              const FullMap::UseScan& use) {
+  const auto T_map_body = interpolate(path, scan.utime);
+  return !T_map_body || use({&channel, &scan, *T_map_body});
 }
 
-void add_session(LocalMaps maps, Trajectory path, FullMap& full) {
-  for (const LocalMap& map : maps) {
-    full.local_maps.push_back(&map);
-    for (const LocalScan& scan : map.scans) place_scan(scan.channel, scan.scan, path, full.scans);
+bool use_scans(const MapRange& maps, const Spool<TimedPose>& path, const FullMap::UseScan& use) {
+  for (std::size_t i = maps.begin; i < maps.end; ++i) {
+    const LocalMap map = maps.store->load(i);
+    for (const LocalScan& scan : map.scans) {
+      if (!use_scan(scan.channel, scan.scan, path, use)) return false;
+    }
   }
-  full.paths.push_back(std::move(path));
+  return true;
 }
 
-void add_earlier_sessions(LocalMaps maps, FullMap& full) {
-  while (!maps.empty()) {
-    const LocalMaps session = first_session(maps);
-    add_session(session,
-                corrected_trajectory(stored_odometry(session), anchors_of(session, full.graph)),
-                full);
-    maps = maps.subspan(session.size());
-  }
+void add_maps(const LocalMapStore& store, FullMap& full) {
+  for (const LocalMap& map : store.headers()) full.local_maps.push_back(&map);
 }
 
 void add_associations(const std::vector<Association>& associations, FullMap& full) {
@@ -104,64 +155,76 @@ MapAnchor map_anchor(const LocalMap& map, const MapGraph& graph) {
 }
 
 Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<MapAnchor>& anchors) {
-  if (anchors.empty() || odometry.empty()) return odometry;
-  const std::vector<double> progress = progress_of(odometry);
-  const auto progress_at = [&](std::int64_t utime) {
-    const auto pose =
-        std::lower_bound(odometry.begin(), odometry.end(), utime,
-                         [](const TimedPose& p, std::int64_t t) { return p.utime < t; });
-    const auto last = odometry.end() - 1;
-    return progress[static_cast<std::size_t>(std::min(pose, last) - odometry.begin())];
-  };
-
   Trajectory corrected;
-  std::size_t k = 0;  // last anchor at or before the pose
-  for (std::size_t i = 0; i < odometry.size(); ++i) {
-    const auto& [utime, T_odom_body, z_odom_m] = odometry[i];
-    while (k + 1 < anchors.size() && anchors[k + 1].utime <= utime) ++k;
-    Pose2 T_map_body = apply_anchor(anchors[k], T_odom_body);
-    double z_map_odom_m = anchors[k].z_map_odom_m;
-    if (k + 1 < anchors.size() && utime > anchors[k].utime) {
-      const double from = progress_at(anchors[k].utime);
-      const double length = progress_at(anchors[k + 1].utime) - from;
-      const double share = length > 0.0 ? (progress[i] - from) / length : 0.0;
-      T_map_body = blend(T_map_body, apply_anchor(anchors[k + 1], T_odom_body), share);
-      z_map_odom_m = std::lerp(z_map_odom_m, anchors[k + 1].z_map_odom_m, share);
-    }
-    corrected.push_back({utime, T_map_body, z_odom_m + z_map_odom_m});
-  }
+  correct(odometry, anchors, [&](const TimedPose& pose) { corrected.push_back(pose); });
   return corrected;
 }
 
-FullMap full_map(const StoredMap& earlier, const RunRecord& record) {
+Spool<TimedPose> corrected_path(const Spool<TimedPose>& odometry,
+                                const std::vector<MapAnchor>& anchors,
+                                const std::filesystem::path& scratch) {
+  Spool<TimedPose> corrected(scratch);
+  correct(odometry, anchors, [&](const TimedPose& pose) { corrected.push_back(pose); });
+  return corrected;
+}
+
+FullMap full_map(const EarlierMap& earlier, const RunRecord& record,
+                 const std::filesystem::path& scratch) {
   FullMap full;
   if (record.graph()) full.graph = *record.graph();
-  add_earlier_sessions(earlier.maps, full);
-  const LocalMaps maps = record.local_maps();
-  add_session(maps, corrected_trajectory(record.odometry(), anchors_of(maps, full.graph)), full);
-  for (const auto& [scan, match] : record.tail()) {
-    place_scan(match.channel, scan, full.paths.back(), full.scans);
+  std::vector<MapRange> sessions = sessions_of(earlier.maps);
+  for (const MapRange& session : sessions) {
+    full.paths.push_back(corrected_path(stored_odometry(session, scratch),
+                                        anchors_of(session, full.graph), scratch));
   }
+  const MapRange run{&record.local_maps(), 0, record.local_maps().size()};
+  sessions.push_back(run);
+  full.paths.push_back(corrected_path(record.odometry(), anchors_of(run, full.graph), scratch));
+  add_maps(earlier.maps, full);
+  add_maps(record.local_maps(), full);
   add_associations(earlier.associations, full);
   add_associations(record.associations(), full);
+  full.visit_scans = [sessions = std::move(sessions), &record](const FullMap& map,
+                                                               const FullMap::UseScan& use) {
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+      if (!use_scans(sessions[i], map.paths[i], use)) return false;
+    }
+    return std::ranges::all_of(record.tail(), [&](const RunRecord::Entry& entry) {
+      return use_scan(entry.match.channel, entry.scan, map.paths.back(), use);
+    });
+  };
   return full;
 }
 
-Trajectory joined_path(const FullMap& map) {
-  Trajectory all;
-  for (const Trajectory& path : map.paths) all.insert(all.end(), path.begin(), path.end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const TimedPose& a, const TimedPose& b) { return a.utime < b.utime; });
-  Trajectory joined;
-  for (const TimedPose& pose : all) {
-    if (!joined.empty() && joined.back().utime == pose.utime) joined.pop_back();
-    joined.push_back(pose);
+/// Merges the paths; each is in order.
+void visit_joined_path(const FullMap& map, const std::function<void(const TimedPose&)>& use) {
+  std::vector<std::size_t> next(map.paths.size(), 0);
+  std::optional<TimedPose> last;
+  while (true) {
+    std::optional<TimedPose> earliest;
+    std::size_t from = 0;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      if (next[i] == map.paths[i].size()) continue;
+      const TimedPose pose = map.paths[i][next[i]];
+      if (earliest && pose.utime >= earliest->utime) continue;
+      earliest = pose;
+      from = i;
+    }
+    if (last && (!earliest || earliest->utime != last->utime)) use(*last);
+    if (!earliest) return;
+    last = earliest;
+    ++next[from];
   }
+}
+
+Trajectory joined_path(const FullMap& map) {
+  Trajectory joined;
+  visit_joined_path(map, [&](const TimedPose& pose) { joined.push_back(pose); });
   return joined;
 }
 
 bool insert_scans(const FullMap& map, const Lasers& lasers, OccupancyGrid& grid) {
-  return std::all_of(map.scans.begin(), map.scans.end(), [&](const PlacedScan& placed) {
+  return map.visit_scans(map, [&](const PlacedScan& placed) {
     const LaserMount& mount = *placed.channel == channels::kLaserRear ? lasers.rear : lasers.front;
     return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
   });

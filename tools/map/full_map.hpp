@@ -4,16 +4,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "common/files/spool.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/grid/occupancy_grid.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
-#include "procs/mapping/mapping.hpp"
+#include "procs/mapping/local_map_store.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/map/run_record.hpp"
 
@@ -36,6 +39,9 @@ MapAnchor map_anchor(const LocalMap& map, const MapGraph& graph);
 /// while the body rests. Poses before the first anchor get its correction, poses after the last one
 /// that of the last; without anchors map is odom. `anchors` must be in order of time.
 Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<MapAnchor>& anchors);
+Spool<TimedPose> corrected_path(const Spool<TimedPose>& odometry,
+                                const std::vector<MapAnchor>& anchors,
+                                const std::filesystem::path& scratch);
 
 /// A scan with its pose in the map.
 struct PlacedScan {
@@ -47,21 +53,34 @@ struct PlacedScan {
 /// The map at the end of a run, including earlier sessions. Refers to the data of both, which must
 /// outlive it.
 struct FullMap {
-  std::vector<const LocalMap*> local_maps;  ///< by id
+  std::vector<const LocalMap*> local_maps;  ///< by id; see LocalMapStore for their scans
   std::vector<const Association*> associations;
   MapGraph graph;  ///< empty without local maps
 
   /// T_map_body, one path per session: at the stored scans for earlier ones, at all scans for this
   /// one.
-  std::vector<Trajectory> paths;
-  /// Scans for the grid: those of the local maps and those after the last local map.
-  std::vector<PlacedScan> scans;
+  std::vector<Spool<TimedPose>> paths;
+
+  /// Passes the scans for the grid to `use`, those of the local maps and those after the last local
+  /// map, until it returns false; true if it did not.
+  using UseScan = std::function<bool(const PlacedScan&)>;
+  std::function<bool(const FullMap&, const UseScan& use)> visit_scans;
 };
 
-FullMap full_map(const StoredMap& earlier, const RunRecord& record);
+/// What a run continues.
+struct EarlierMap {
+  LocalMapStore maps;
+  std::vector<Association> associations;
+};
 
-/// All paths in one trajectory, in order of time. Of two poses with the same time, the one of the
-/// later session is used.
+/// Long paths are in temporary files in `scratch`.
+FullMap full_map(const EarlierMap& earlier, const RunRecord& record,
+                 const std::filesystem::path& scratch = std::filesystem::temp_directory_path());
+
+/// Passes the poses of all paths to `use`, in order of time. Of two poses with the same time, the
+/// one of the later session is used.
+void visit_joined_path(const FullMap& map, const std::function<void(const TimedPose&)>& use);
+/// All of them.
 Trajectory joined_path(const FullMap& map);
 
 /// Inserts all scans of a map into a grid. False if the poses exceed the size of the grid.

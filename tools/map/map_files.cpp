@@ -82,19 +82,40 @@ std::vector<Edge> revoked_edges(const FullMap& map) {
   return edges;
 }
 
-/// Marks the poses of this run, the last path, where motion was not fully observed.
-void mark_unobserved(const RunRecord& record, MapPicture& picture) {
-  const std::vector<bool>& unobserved = record.unobserved();
-  picture.degenerate.assign(picture.path.size() - unobserved.size(), false);
-  picture.degenerate.insert(picture.degenerate.end(), unobserved.begin(), unobserved.end());
+void write_path(const std::filesystem::path& file, const Spool<TimedPose>& path) {
+  TumWriter writer(
+      file, std::ranges::any_of(path, [](const TimedPose& pose) { return pose.z_m != 0.0; }));
+  for (const TimedPose& pose : path) writer.add(pose);
+  writer.close();
 }
 
-void mark_doubtful(const RunRecord& record, const std::vector<DoubtfulStretch>& stretches,
-                   MapPicture& picture) {
-  if (stretches.empty()) return;
-  const std::vector<bool> doubtful = in_stretches(stretches, record.odometry());
-  picture.doubtful.assign(picture.path.size() - doubtful.size(), false);
-  picture.doubtful.insert(picture.doubtful.end(), doubtful.begin(), doubtful.end());
+void write_joined_path(const std::filesystem::path& file, const FullMap& map) {
+  bool with_heights = false;
+  visit_joined_path(map, [&](const TimedPose& pose) { with_heights |= pose.z_m != 0.0; });
+  TumWriter writer(file, with_heights);
+  visit_joined_path(map, [&](const TimedPose& pose) { writer.add(pose); });
+  writer.close();
+}
+
+/// Marks the poses of this run, the last path, where motion was not fully observed and where the
+/// map may be wrong.
+void mark_poses(const FullMap& map, const RunRecord& record,
+                const std::vector<DoubtfulStretch>& stretches, MapPicture& picture) {
+  const Spool<TimedPose>& path = map.paths.back();
+  const std::size_t step = pose_step(map);
+  const std::size_t drawn = (path.size() + step - 1) / step;
+  picture.degenerate.assign(picture.path.size() - drawn, false);
+  if (!stretches.empty()) picture.doubtful = picture.degenerate;
+  for (std::size_t from = 0; from < path.size(); from += step) {
+    bool degenerate = false;
+    bool doubtful = false;
+    for (std::size_t i = from; i < std::min(from + step, path.size()); ++i) {
+      degenerate |= record.unobserved()[i] != 0;
+      doubtful |= in_stretches(stretches, path[i].utime);
+    }
+    picture.degenerate.push_back(degenerate);
+    if (!stretches.empty()) picture.doubtful.push_back(doubtful);
+  }
 }
 
 }  // namespace
@@ -143,24 +164,30 @@ GraphPicture graph_picture(const FullMap& map) {
 MapPicture map_picture(const FullMap& map, const std::string& title) {
   MapPicture picture;
   picture.title = title;
-  for (const Trajectory& path : map.paths) {
+  const std::size_t step = pose_step(map);
+  for (const Spool<TimedPose>& path : map.paths) {
     if (!picture.path.empty()) picture.jumps.push_back(picture.path.size());
-    for (const TimedPose& pose : path) picture.path.push_back(pose.pose);
+    for (std::size_t i = 0; i < path.size(); i += step) picture.path.push_back(path[i].pose);
   }
   return picture;
+}
+
+std::size_t pose_step(const FullMap& map) {
+  std::size_t poses = 0;
+  for (const Spool<TimedPose>& path : map.paths) poses += path.size();
+  return poses / kPosesDrawn + 1;
 }
 
 bool write_map_files(const FullMap& map, const RunRecord& record,
                      const std::vector<DoubtfulStretch>& stretches, const MapFilesOptions& options,
                      const std::filesystem::path& folder) {
-  write_tum(folder / "trajectory.tum", joined_path(map));
-  write_tum(folder / "odometry.tum", record.odometry());
+  write_joined_path(folder / "trajectory.tum", map);
+  write_path(folder / "odometry.tum", record.odometry());
   OccupancyGrid grid(options.grid);
   if (!insert_scans(map, options.lasers, grid)) return false;
   write_map_server(grid, folder, "map");
   MapPicture picture = map_picture(map, options.title);
-  mark_unobserved(record, picture);
-  mark_doubtful(record, stretches, picture);
+  mark_poses(map, record, stretches, picture);
   if (options.draw_graph) picture.graph = graph_picture(map);
   write_map_png(grid, picture, folder / "map.png");
   return true;

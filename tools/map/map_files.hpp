@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ G2oGraph g2o_of(const MapGraph& graph);
 /// The pose graph for a picture. Revoked edges are alternatives that were accepted at some time and
 /// are not at the end.
 GraphPicture graph_picture(const FullMap& map);
+
+/// A picture shows each pose of the paths, or of those that are too long every `pose_step`-th.
+std::size_t pose_step(const FullMap& map);
+inline constexpr std::size_t kPosesDrawn = 200'000;
 
 /// Title and paths of all sessions for a picture.
 MapPicture map_picture(const FullMap& map, const std::string& title);

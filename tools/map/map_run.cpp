@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,6 +74,7 @@ ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
   params.journal = kJournal;
   const std::string yaml = to_yaml(params, kStage);
   params.journal = (folder / kJournal).string();
+  params.scratch = folder;
   return configured_node<MappingNode>(kStage, yaml, params);
 }
 
@@ -95,6 +97,12 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
     throw std::runtime_error(fmt::format("no map to resume: no local map in {}", journal.string()));
   }
   return stored;
+}
+
+EarlierMap earlier_map(StoredMap stored, const std::filesystem::path& scratch) {
+  EarlierMap earlier{LocalMapStore(scratch), std::move(stored.associations)};
+  for (LocalMap& map : stored.maps) earlier.maps.push_back(std::move(map));
+  return earlier;
 }
 
 ReplayOptions replay_options(bool use_odometry) {
@@ -148,10 +156,10 @@ void require_matches(const RunRecord& record, const LogInput& input, const MapRu
 /// Throws std::runtime_error if next to none of the scans were matched or, when the run resumes a
 /// map, it has no local map of its own session: mapping first completes the last local map of the
 /// earlier run.
-void require_result(const RunRecord& record, const LogInput& input, const StoredMap& earlier,
+void require_result(const RunRecord& record, const LogInput& input, const EarlierMap& earlier,
                     const MapRunOptions& options) {
   require_matches(record, input, options);
-  const auto& maps = record.local_maps();
+  const auto& maps = record.local_maps().headers();
   const bool has_own_map = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
     return earlier.maps.empty() || map.session > earlier.maps.back().session;
   });
@@ -203,7 +211,9 @@ MapRunResult run_map(const MapRunOptions& options,
   const ConfigFile config = load_config(options.config);
   const ResultFolder results(options.folder);
   const std::filesystem::path& folder = results.unfinished();
-  const StoredMap earlier = load_resumed_map(options.resume, folder);
+  StoredMap stored = load_resumed_map(options.resume, folder);
+  const ResumedMap resumed{map_journal_report(kJournal, stored), stored.losses};
+  const EarlierMap earlier = earlier_map(std::move(stored), folder);
 
   LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
@@ -217,39 +227,38 @@ MapRunResult run_map(const MapRunOptions& options,
   StopwatchBus scan_stopwatch(
       bus, {std::string(channels::kLaserFront), std::string(channels::kLaserRear)});
   StopwatchBus mapping_stopwatch(bus, {std::string(channels::kScanMatch)});
-  RunRecord record(bus);
+  RunRecord record(bus, folder);
   const HostedNode scan_matching_hosted(scan_stopwatch, scan_matching);
   const HostedNode mapping_hosted(mapping_stopwatch, mapping);
   bus.run([&](double done) { progress("mapping", done); });
   log.close();
 
   require_result(record, input, earlier, options);
-  const FullMap map = full_map(earlier, record);
+  const FullMap map = full_map(earlier, record, folder);
   MapRunResult result = result_of(record, map);
   result.warnings = collect_warnings(input, bus);
   warn_of_rejected(scan_matching_hosted, result.warnings);
   result.warnings.insert(result.warnings.end(), config_warnings.begin(), config_warnings.end());
-  const std::string resumed = map_journal_report(kJournal, earlier);
-  if (!resumed.empty()) result.warnings.push_back(resumed);
+  if (!resumed.report.empty()) result.warnings.push_back(resumed.report);
   if (!options.resume.empty() && result.cross_session_loop_closures == 0) {
     result.warnings.emplace_back(
         "no loop closure to the resumed map: the pose of this run in it is not verified");
   }
-  const std::vector<DoubtfulStretch> stretches = doubtful_stretches(
-      record.doubts(), record.contradictions(), record.odometry(), record.local_maps());
+  const std::vector<DoubtfulStretch> stretches =
+      doubtful_stretches(record.doubts(), record.contradictions(), DistanceAlong(record.odometry()),
+                         record.local_maps().headers());
   result.doubtful = stretches_text(stretches);
   if (!write_map_files(map, record, stretches, files, folder)) {
     result.warnings.emplace_back("no map: the poses exceed the size limit of map_grid");
   }
   write_graph_files(map, folder);
   RunCost cost = process_cost();
-  cost.scan_ms = milliseconds(scan_stopwatch, false);
-  cost.local_map_ms = milliseconds(mapping_stopwatch, true);
+  cost.scans = scan_stopwatch.handled();
+  cost.local_maps = mapping_stopwatch.answered();
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   result.wall_s = cost.wall_s;
-  write_text_file(
-      summary_json(record, map, stretches, input.times(), {resumed, earlier.losses}, cost),
-      folder / "summary.json");
+  write_text_file(summary_json(record, earlier, map, stretches, input.times(), resumed, cost),
+                  folder / "summary.json");
   results.publish();
   return result;
 }

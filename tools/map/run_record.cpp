@@ -21,13 +21,17 @@ constexpr double kTailStepRad = 0.1;
 
 }  // namespace
 
-RunRecord::RunRecord(Bus& bus) {
+RunRecord::RunRecord(Bus& bus, const std::filesystem::path& scratch)
+    : odometry_(scratch), unobserved_(scratch), doubts_(scratch), local_maps_(scratch) {
   subscribe_laser(bus, channels::kLaserFront);
   subscribe_laser(bus, channels::kLaserRear);
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kQueued),
                           [this](const ScanMatch& match) { on_match(match); });
-  subscribe<match_doubt_t>(bus, channels::kMatchDoubt, Delivery::queued(kQueued),
-                           [this](const MatchDoubt& doubt) { doubts_.push_back(doubt); });
+  subscribe<match_doubt_t>(
+      bus, channels::kMatchDoubt, Delivery::queued(kQueued), [this](const MatchDoubt& doubt) {
+        doubts_.push_back({doubt.utime, doubt.from_utime, doubt.reason,
+                           static_cast<std::uint32_t>(doubt.alternatives.size())});
+      });
   map_subscription_.subscribe(
       bus, {.on_local_map = [this](LocalMap map) { on_local_map(std::move(map)); },
             .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
@@ -79,12 +83,12 @@ void RunRecord::add_pose(const ScanMatch& match) {
   bool unobserved = is_unobserved(match);
   // Of two lasers with the same time, the second match has the better pose.
   if (!odometry_.empty() && odometry_.back().utime == match.utime) {
-    unobserved = unobserved || unobserved_.back();
+    unobserved = unobserved || unobserved_.back() != 0;
     odometry_.pop_back();
     unobserved_.pop_back();
   }
   odometry_.push_back({match.utime, match.T_odom_body, match.z_m});
-  unobserved_.push_back(unobserved);
+  unobserved_.push_back(unobserved ? 1 : 0);
 }
 
 }  // namespace adit

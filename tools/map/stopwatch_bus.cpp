@@ -17,17 +17,10 @@ SubscriptionId StopwatchBus::subscribe(std::string_view channel, Delivery delive
         const std::string_view rejection = handler(received);
         const std::chrono::duration<double, std::milli> taken =
             std::chrono::steady_clock::now() - start;
-        handled_.push_back({taken.count(), answered_});
+        handled_.add(taken.count());
+        if (answered_) answered_times_.add(taken.count());
         return rejection;
       });
-}
-
-std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only) {
-  std::vector<double> ms;
-  for (const auto& handled : stopwatch.handled()) {
-    if (handled.answered || !answered_only) ms.push_back(handled.ms);
-  }
-  return ms;
 }
 
 }  // namespace adit

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "common/bus/forwarding_bus.hpp"
+#include "tools/map/time_statistics.hpp"
 
 namespace adit {
 
@@ -20,16 +20,13 @@ namespace adit {
 /// reproducible.
 class StopwatchBus final : public ForwardingBus {
  public:
-  struct Handled {
-    double ms = 0.0;
-    bool answered = false;  ///< the stage published a message in the handler
-  };
-
   StopwatchBus(Bus& bus, std::set<std::string, std::less<>> channels)
       : ForwardingBus(bus), channels_(std::move(channels)) {}
 
-  /// Messages of these channels, in order.
-  [[nodiscard]] const std::vector<Handled>& handled() const { return handled_; }
+  /// Of all messages of these channels.
+  [[nodiscard]] const TimeStatistics& handled() const { return handled_; }
+  /// Of those in whose handler the stage published a message.
+  [[nodiscard]] const TimeStatistics& answered() const { return answered_times_; }
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override {
     answered_ = true;
@@ -39,11 +36,9 @@ class StopwatchBus final : public ForwardingBus {
 
  private:
   std::set<std::string, std::less<>> channels_;
-  std::vector<Handled> handled_;
+  TimeStatistics handled_;
+  TimeStatistics answered_times_;
   bool answered_ = false;
 };
-
-/// Times of all messages, or only of the answered ones [ms].
-std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only);
 
 }  // namespace adit

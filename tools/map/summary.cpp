@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include "common/geometry/order_statistics.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/pose_graph/pose_graph.hpp"
@@ -23,14 +22,28 @@ using Json = nlohmann::ordered_json;
 
 double cpu_seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; }
 
-double mean(const std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+/// The first ids; a person reads no more.
+Json listed(const std::vector<int>& ids) {
+  constexpr std::size_t kListed = 20;
+  return std::vector<int>(ids.begin(),
+                          ids.begin() + static_cast<std::ptrdiff_t>(std::min(kListed, ids.size())));
 }
 
-double greatest(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
+/// The mean, 0 without values.
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  [[nodiscard]] double value() const {
+    return count_ > 0 ? sum_ / static_cast<double>(count_) : 0.0;
+  }
+
+ private:
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+};
 
 Json scans_json(const RunRecord& record) {
   const RunRecord::Counts& counts = record.counts();
@@ -79,6 +92,18 @@ Json segments_json(const RunRecord& record) {
   return list;
 }
 
+/// Of the parts of the path that lie in stretches, which may overlap.
+double length_m(std::vector<DoubtfulStretch> stretches) {
+  std::ranges::sort(stretches, {}, &DoubtfulStretch::from_m);
+  double length_m = 0.0;
+  double end_m = 0.0;
+  for (const DoubtfulStretch& stretch : stretches) {
+    length_m += std::max(0.0, stretch.to_m - std::max(end_m, stretch.from_m));
+    end_m = std::max(end_m, stretch.to_m);
+  }
+  return length_m;
+}
+
 Json stretches_json(const std::vector<DoubtfulStretch>& stretches) {
   Json list = Json::array();
   for (const DoubtfulStretch& stretch : stretches) {
@@ -86,7 +111,8 @@ Json stretches_json(const std::vector<DoubtfulStretch>& stretches) {
                     {"to_s", seconds(stretch.to_utime)},
                     {"from_m", stretch.from_m},
                     {"to_m", stretch.to_m},
-                    {"local_maps", stretch.local_maps},
+                    {"local_maps", listed(stretch.local_maps)},
+                    {"local_map_count", stretch.local_maps.size()},
                     {"reasons", stretch.reasons},
                     {"motions", stretch.motions},
                     {"alternatives", stretch.alternatives}});
@@ -94,28 +120,32 @@ Json stretches_json(const std::vector<DoubtfulStretch>& stretches) {
   return list;
 }
 
-/// Size of the messages, all fragments [bytes].
+/// Size of the messages of a local map, all fragments [bytes].
 double serialised_bytes(const LocalMap& map) {
   std::size_t bytes = 0;
   for (const LocalMapFragment& fragment : split(map)) bytes += encode(to_message(fragment)).size();
   return static_cast<double>(bytes);
 }
 
-/// Size in memory, without the walls that mapping computes from the scans [bytes].
-double resident_bytes(const LocalMap& map) {
+/// Size of a local map with its scans, without the walls that mapping computes from them [bytes].
+double unpacked_bytes(const LocalMap& map) {
   std::size_t bytes = sizeof(LocalMap) + map.scans.size() * sizeof(LocalScan);
   for (const LocalScan& scan : map.scans) bytes += scan.scan.ranges_m.size() * sizeof(float);
   return static_cast<double>(bytes);
 }
 
-Json bytes_json(const FullMap& map) {
-  std::vector<double> serialised;
-  std::vector<double> resident;
-  for (const LocalMap* local_map : map.local_maps) {
-    serialised.push_back(serialised_bytes(*local_map));
-    resident.push_back(resident_bytes(*local_map));
+Json bytes_json(const EarlierMap& earlier, const RunRecord& record) {
+  Mean serialised;
+  Mean unpacked;
+  for (const LocalMapStore* maps : {&earlier.maps, &record.local_maps()}) {
+    for (std::size_t i = 0; i < maps->size(); ++i) {
+      const LocalMap map = maps->load(i);
+      serialised.add(serialised_bytes(map));
+      unpacked.add(unpacked_bytes(map));
+    }
   }
-  return {{"serialised", std::round(mean(serialised))}, {"resident", std::round(mean(resident))}};
+  return {{"serialised", std::round(serialised.value())},
+          {"resident", std::round(unpacked.value())}};
 }
 
 /// The number of pairs of local maps that contradict each other, and these local maps.
@@ -124,10 +154,12 @@ Json contradictions_json(const std::vector<MapContradiction>& contradictions) {
   for (const MapContradiction& pair : contradictions) {
     local_maps.insert({pair.older_map, pair.newer_map});
   }
-  return {{"pairs", contradictions.size()}, {"local_maps", local_maps}};
+  return {{"pairs", contradictions.size()},
+          {"local_maps", listed({local_maps.begin(), local_maps.end()})},
+          {"local_map_count", local_maps.size()}};
 }
 
-Json map_json(const FullMap& map, const std::vector<MapContradiction>& contradictions) {
+Json map_json(const EarlierMap& earlier, const RunRecord& record, const FullMap& map) {
   const LoopClosureCounts loop_closures = count_loop_closures(map);
   return {{"sessions", map.paths.size()},
           {"local_maps", map.local_maps.size()},
@@ -136,9 +168,9 @@ Json map_json(const FullMap& map, const std::vector<MapContradiction>& contradic
             {"accepted", loop_closures.accepted},
             {"revised", loop_closures.revised},
             {"to_earlier_sessions", count_cross_session_loop_closures(map)}}},
-          {"contradictions", contradictions_json(contradictions)},
+          {"contradictions", contradictions_json(record.contradictions())},
           {"objective", objective(pose_graph_of(map.graph))},
-          {"bytes_per_local_map", bytes_json(map)}};
+          {"bytes_per_local_map", bytes_json(earlier, record)}};
 }
 
 }  // namespace
@@ -163,10 +195,10 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
   return counts;
 }
 
-std::string summary_json(const RunRecord& record, const FullMap& map,
+std::string summary_json(const RunRecord& record, const EarlierMap& earlier, const FullMap& map,
                          const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
                          const ResumedMap& resumed, const RunCost& cost) {
-  const Trajectory& trajectory = record.odometry();
+  const Spool<TimedPose>& trajectory = record.odometry();
   const double duration_s =
       trajectory.empty() ? 0.0 : seconds(trajectory.back().utime - trajectory.front().utime);
   const Json json = {
@@ -177,11 +209,13 @@ std::string summary_json(const RunRecord& record, const FullMap& map,
       {"wall_s", cost.wall_s},
       {"cpu_s", cost.cpu_s},
       {"real_time_factor", cost.wall_s > 0.0 ? duration_s / cost.wall_s : 0.0},
-      {"ms_per_scan", {{"mean", mean(cost.scan_ms)}, {"p99", quantile(cost.scan_ms, 0.99)}}},
+      {"ms_per_scan", {{"mean", cost.scans.mean_ms()}, {"p99", cost.scans.quantile_ms(0.99)}}},
       {"ms_per_local_map",
-       {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
+       {{"mean", cost.local_maps.mean_ms()}, {"max", cost.local_maps.max_ms()}}},
       {"peak_memory_mb", cost.peak_memory_mb},
-      {"map", map_json(map, record.contradictions())},
+      {"map", map_json(earlier, record, map)},
+      {"doubtful_motions", record.doubts().size()},
+      {"doubtful_length_m", length_m(stretches)},
       {"doubtful_stretches", stretches_json(stretches)},
       {"resumed_journal", resumed_json(resumed)},
       {"unobserved_segments_joined_m", record.segments().joined_m()},

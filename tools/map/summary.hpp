@@ -11,16 +11,17 @@
 #include "tools/map/doubt_list.hpp"
 #include "tools/map/full_map.hpp"
 #include "tools/map/run_record.hpp"
+#include "tools/map/time_statistics.hpp"
 
 namespace adit {
 
 /// Time and memory of a run.
 struct RunCost {
-  double wall_s = 0.0;               ///< of the complete run, including files
-  double cpu_s = 0.0;                ///< user and system, of the process since its start
-  double peak_memory_mb = 0.0;       ///< resident
-  std::vector<double> scan_ms;       ///< wall time of scan matching per scan
-  std::vector<double> local_map_ms;  ///< wall time of mapping per local map
+  double wall_s = 0.0;          ///< of the complete run, including files
+  double cpu_s = 0.0;           ///< user and system, of the process since its start
+  double peak_memory_mb = 0.0;  ///< resident
+  TimeStatistics scans;         ///< wall time of scan matching per scan
+  TimeStatistics local_maps;    ///< wall time of mapping per local map
 };
 
 /// CPU time and peak memory of this process; the other members are not set.
@@ -35,8 +36,8 @@ struct ResumedMap {
 /// Figures of a run as JSON, for summary.json: scans by status, the times that were used, path
 /// length, computation times, memory, the map including earlier sessions, the stretches of this run
 /// on which the map may be wrong, and the segments where motion was not fully observed
-/// (SegmentList).
-std::string summary_json(const RunRecord& record, const FullMap& map,
+/// (SegmentList). Its size does not grow with the log: a list has a few hundred entries at most.
+std::string summary_json(const RunRecord& record, const EarlierMap& earlier, const FullMap& map,
                          const std::vector<DoubtfulStretch>& stretches, const TimeChoice& times,
                          const ResumedMap& resumed, const RunCost& cost);
 

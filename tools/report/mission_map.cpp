@@ -35,6 +35,12 @@ Trajectory time_slice(const Trajectory& poses, std::int64_t from_utime, std::int
           std::lower_bound(poses.begin(), poses.end(), to_utime, is_before)};
 }
 
+Spool<TimedPose> spooled(const Trajectory& path) {
+  Spool<TimedPose> spool;
+  for (const TimedPose& pose : path) spool.push_back(pose);
+  return spool;
+}
+
 constexpr std::int64_t kNever = 9'000'000'000'000'000'000;
 
 }  // namespace
@@ -50,7 +56,9 @@ MissionMap::MissionMap(MapRecord& record) {
     full_map_.associations.push_back(&association);
   }
   add_sessions(record.odometry());
-  add_placed_scans();
+  full_map_.visit_scans = [this](const FullMap&, const FullMap::UseScan& use) {
+    return visit_scans(use);
+  };
   path_ = joined_path(full_map_);
 }
 
@@ -72,24 +80,25 @@ void MissionMap::add_sessions(const Trajectory& odometry) {
     if (is_missing(map)) continue;
     anchors[map.session].push_back(map_anchor(map, full_map_.graph));
   }
-  if (anchors.empty()) full_map_.paths.push_back(odometry);
+  if (anchors.empty()) full_map_.paths.push_back(spooled(odometry));
   std::int64_t from_utime = 0;
   for (auto session = anchors.begin(); session != anchors.end(); ++session) {
     const auto next = std::next(session);
     const std::int64_t to_utime = next == anchors.end() ? kNever : next->second.front().utime;
     full_map_.paths.push_back(
-        corrected_trajectory(time_slice(odometry, from_utime, to_utime), session->second));
+        spooled(corrected_trajectory(time_slice(odometry, from_utime, to_utime), session->second)));
     from_utime = to_utime;
   }
 }
 
-void MissionMap::add_placed_scans() {
+bool MissionMap::visit_scans(const FullMap::UseScan& use) const {
   for (const LocalMap& map : local_maps_) {
     const Pose2& T_map_local = full_map_.graph.poses[static_cast<std::size_t>(map.id)];
     for (const LocalScan& scan : map.scans) {
-      full_map_.scans.push_back({&scan.channel, &scan.scan, T_map_local * scan.T_local_body});
+      if (!use({&scan.channel, &scan.scan, T_map_local * scan.T_local_body})) return false;
     }
   }
+  return true;
 }
 
 std::optional<Pose2> MissionMap::T_map_body_at(std::int64_t utime) const {

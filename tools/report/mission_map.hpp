@@ -38,7 +38,7 @@ class MissionMap {
  private:
   void set_graph(const MapRecord& record);
   void add_sessions(const Trajectory& odometry);
-  void add_placed_scans();
+  [[nodiscard]] bool visit_scans(const FullMap::UseScan& use) const;
 
   std::vector<LocalMap> local_maps_;
   FullMap full_map_;

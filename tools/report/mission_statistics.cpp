@@ -84,8 +84,8 @@ void count_frontiers(const MissionRecords& records, MissionStatistics& statistic
 
 void add_contradictions(const MissionRecords& records, const MissionMap& map,
                         MissionStatistics& statistics) {
-  statistics.contradictory =
-      contradictory_stretches(records.map.contradictions(), map.path(), map.full_map().local_maps);
+  statistics.contradictory = contradictory_stretches(
+      records.map.contradictions(), DistanceAlong(map.path()), map.full_map().local_maps);
 }
 
 void count_events(const MissionRecords& records, MissionStatistics& statistics) {

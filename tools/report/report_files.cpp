@@ -41,9 +41,8 @@ Json time_json(const TimeBudget& budget) {
   for (std::size_t i = 0; i < kActivities; ++i) {
     const auto activity = static_cast<Activity>(i);
     const TimeBudget::Share& share = budget.share(activity);
-    activities[name_of(activity)] = {{"times", share.times},
-                                     {"duration_s", share.duration_s},
-                                     {"distance_m", share.distance_m}};
+    activities[name_of(activity)] = {
+        {"times", share.times}, {"duration_s", share.duration_s}, {"distance_m", share.distance_m}};
   }
   return activities;
 }
@@ -284,9 +283,11 @@ void write_map(const ReportInput& input, const std::filesystem::path& folder,
   MapPicture picture = map_picture(input.map.map->full_map(), input.title);
   picture.places = places_of(input.map);
   if (!input.statistics.contradictory.empty()) {
-    for (const Trajectory& path : input.map.map->full_map().paths) {
-      const auto doubtful = in_stretches(input.statistics.contradictory, path);
-      picture.doubtful.insert(picture.doubtful.end(), doubtful.begin(), doubtful.end());
+    const FullMap& map = input.map.map->full_map();
+    for (const Spool<TimedPose>& path : map.paths) {
+      for (std::size_t i = 0; i < path.size(); i += pose_step(map)) {
+        picture.doubtful.push_back(in_stretches(input.statistics.contradictory, path[i].utime));
+      }
     }
   }
   write_map_png(*input.map.grid, picture, folder / "map.png");

@@ -26,6 +26,12 @@ bool has_moved(const Pose2& before, const Pose2& now, double share) {
   return by.translation().norm() > share * kMovedM || std::abs(by.theta) > share * kMovedRad;
 }
 
+std::array<float, 3> floats_of(const Pose2& T) {
+  return {static_cast<float>(T.x), static_cast<float>(T.y), static_cast<float>(T.theta)};
+}
+
+Pose2 pose_of(const std::array<float, 3>& T) { return {T[0], T[1], T[2]}; }
+
 bool may_overlap(const MapExtent& older, const MapExtent& newer, const Pose2& T_older_newer) {
   const double apart = (T_older_newer * newer.centre() - older.centre()).norm();
   return apart < older.radius_m() + newer.radius_m();
@@ -33,8 +39,7 @@ bool may_overlap(const MapExtent& older, const MapExtent& newer, const Pose2& T_
 
 }  // namespace
 
-void ContradictionMonitor::update(std::span<const LocalWalls> walls,
-                                  std::span<const MapExtent> extents,
+void ContradictionMonitor::update(const WallStore& walls, std::span<const MapExtent> extents,
                                   std::span<const Pose2> T_map_local,
                                   const WallsAround& walls_around, const SameLevel& same_level) {
   std::vector<bool> moved(T_map_local.size(), true);
@@ -43,8 +48,9 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
   }
   const std::size_t first_new = compared_at_.size();
   compared_at_.resize(T_map_local.size());
+  compared_.resize(T_map_local.size());
   for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
-    is_level_.push_back(is_level(walls[i]));
+    is_level_.push_back(is_level(*walls[i]));
   }
   std::vector<std::size_t> all_ids;
   std::vector<std::size_t> moved_ids;
@@ -69,33 +75,35 @@ void ContradictionMonitor::update(std::span<const LocalWalls> walls,
     if (moved[i]) compared_at_[i] = T_map_local[i];
   }
   contradictions_.clear();
-  for (const auto& key : suspected_) {
+  for (const auto& [key, suspicion] : suspected_) {
     const auto [newer, older] = key;
-    const Pair& pair = pairs_.at(key);
-    if (!same_level(older, newer, pair.T_older_newer)) continue;
-    contradictions_.push_back({older, newer, pair.evidence});
+    if (!same_level(older, newer, suspicion.T_older_newer)) continue;
+    contradictions_.push_back({older, newer, suspicion.evidence});
   }
 }
 
-void ContradictionMonitor::compare(std::size_t older, std::size_t newer,
-                                   std::span<const LocalWalls> walls,
+void ContradictionMonitor::compare(std::size_t older, std::size_t newer, const WallStore& walls,
                                    std::span<const MapExtent> extents, const Pose2& T_older_newer,
                                    const WallsAround& walls_around) {
   const std::pair<int, int> key(static_cast<int>(newer), static_cast<int>(older));
+  std::vector<Compared>& all = compared_[newer];
+  auto found = std::ranges::lower_bound(all, key.second, {}, &Compared::older);
+  const bool is_new = found == all.end() || found->older != key.second;
   if (!may_overlap(extents[older], extents[newer], T_older_newer)) {
-    pairs_.erase(key);
+    if (!is_new) all.erase(found);
     suspected_.erase(key);
     return;
   }
-  const auto [pair, is_new] = pairs_.try_emplace(key);
-  if (!is_new && !has_moved(pair->second.T_older_newer, T_older_newer, 1.0)) return;
-  pair->second = {T_older_newer, 0.0};
+  if (!is_new && !has_moved(pose_of(found->T_older_newer), T_older_newer, 1.0)) return;
+  if (is_new) found = all.insert(found, {key.second, {}});
+  found->T_older_newer = floats_of(T_older_newer);
   suspected_.erase(key);
-  const double bound = contradiction_bound(walls[newer], walls[older], T_older_newer, params_);
+  const auto newer_walls = walls[newer];
+  const double bound = contradiction_bound(*newer_walls, *walls[older], T_older_newer, params_);
   if (bound < evidence_min_) return;
-  pair->second.evidence =
-      evidence(walls_around(static_cast<int>(older)), walls[newer], T_older_newer);
-  if (pair->second.evidence >= evidence_min_) suspected_.insert(key);
+  const double found_evidence =
+      evidence(walls_around(static_cast<int>(older)), *newer_walls, T_older_newer);
+  if (found_evidence >= evidence_min_) suspected_[key] = {T_older_newer, found_evidence};
 }
 
 /// Of both the older map alone and with its neighbours, in whose walls and free space it continues.
@@ -103,7 +111,7 @@ double ContradictionMonitor::evidence(std::vector<PlacedWalls> older, const Loca
                                       const Pose2& T_older_newer) const {
   const double alone = contradiction(newer, {older.front()}, T_older_newer, params_);
   if (alone < evidence_min_) return alone;
-  std::erase_if(older, [&](const PlacedWalls& placed) { return placed.walls == &newer; });
+  std::erase_if(older, [&](const PlacedWalls& placed) { return placed.walls.get() == &newer; });
   return std::min(alone, contradiction(newer, older, T_older_newer, params_));
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
+#include "procs/mapping/loop_closure/wall_store.hpp"
 
 namespace adit {
 
@@ -37,7 +39,7 @@ class ContradictionMonitor {
       : params_(params), evidence_min_(evidence_min) {}
 
   /// Compares the local maps at these poses. Walls and extents of a map must not change.
-  void update(std::span<const LocalWalls> walls, std::span<const MapExtent> extents,
+  void update(const WallStore& walls, std::span<const MapExtent> extents,
               std::span<const Pose2> T_map_local, const WallsAround& walls_around,
               const SameLevel& same_level);
 
@@ -47,12 +49,18 @@ class ContradictionMonitor {
   }
 
  private:
-  struct Pair {
+  /// An older map that may overlap, and T_older_newer when they were compared, in single precision:
+  /// there are many.
+  struct Compared {
+    std::int32_t older;
+    std::array<float, 3> T_older_newer;
+  };
+  struct Suspicion {
     Pose2 T_older_newer;  ///< when compared
     double evidence = 0.0;
   };
 
-  void compare(std::size_t older, std::size_t newer, std::span<const LocalWalls> walls,
+  void compare(std::size_t older, std::size_t newer, const WallStore& walls,
                std::span<const MapExtent> extents, const Pose2& T_older_newer,
                const WallsAround& walls_around);
   [[nodiscard]] double evidence(std::vector<PlacedWalls> older, const LocalWalls& newer,
@@ -60,10 +68,10 @@ class ContradictionMonitor {
 
   MapMatchingParams params_;
   double evidence_min_;
-  std::vector<bool> is_level_;                 ///< of each map
-  std::vector<Pose2> compared_at_;             ///< T_map_local of each map
-  std::map<std::pair<int, int>, Pair> pairs_;  ///< (newer, older) that may overlap
-  std::set<std::pair<int, int>> suspected_;    ///< of these, those with enough evidence
+  std::vector<bool> is_level_;                   ///< of each map
+  std::vector<Pose2> compared_at_;               ///< T_map_local of each map
+  std::vector<std::vector<Compared>> compared_;  ///< of each newer map, in order of the older
+  std::map<std::pair<int, int>, Suspicion> suspected_;  ///< (newer, older) with enough evidence
   std::vector<MapContradiction> contradictions_;
 };
 

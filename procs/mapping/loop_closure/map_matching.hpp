@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -71,7 +72,7 @@ struct MapMatchingParams {
 
 /// A local map placed in the frame of another.
 struct PlacedWalls {
-  const LocalWalls* walls = nullptr;
+  std::shared_ptr<const LocalWalls> walls;
   Pose2 T_older_walls;
   double z_older_walls_m = 0.0;
 };

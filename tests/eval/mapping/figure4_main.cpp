@@ -144,7 +144,7 @@ void make_figure(const std::filesystem::path& folder, double bias) {
   }
   const std::vector<LoopClosure> revoked = revoked_loop_closures(revision->update);
   const int first = revoked.front().newer_map;
-  const auto& maps = drive.mapping().local_maps();
+  const std::vector<LocalMap> maps = drive.mapping().local_maps().load_all();
   draw(maps, {extended(revision->before, revision->update.map), {}, first},
        "Before revision: in the wrong corridor", folder / "parallel_corridors_before.png");
   draw(maps, {revision->after, revoked, first}, "After revision: in the right corridor",

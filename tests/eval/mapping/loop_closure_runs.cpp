@@ -35,7 +35,9 @@ class Mapper {
   MappedRun finish() {
     if (auto map = builder_.finish()) run_.maps.push_back(std::move(*map));
     const LaserMounts mounts{{kChannel, LaserMount{}}};
-    for (const auto& map : run_.maps) run_.walls.push_back(local_walls(map, mounts, {}));
+    for (const auto& map : run_.maps) {
+      run_.walls.push_back(std::make_shared<const LocalWalls>(local_walls(map, mounts, {})));
+    }
     return std::move(run_);
   }
 

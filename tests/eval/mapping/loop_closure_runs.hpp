@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct MappedRun {
   std::vector<ScanMatch> matches;
   Trajectory odom;  ///< T_odom_body at each match
   std::vector<LocalMap> maps;
-  std::vector<LocalWalls> walls;  ///< of each local map
+  std::vector<std::shared_ptr<const LocalWalls>> walls;  ///< of each local map
   std::vector<Relation> relations;
 
   /// T_local_body at a time in a local map.

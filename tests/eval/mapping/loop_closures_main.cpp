@@ -121,7 +121,7 @@ class MatchStatistics {
     predicted.covariance = sd.cwiseAbs2().asDiagonal();
     const std::clock_t start = std::clock();
     const auto found =
-        match_maps(run_.walls[newer], place(older), older, predicted, options_.matching);
+        match_maps(*run_.walls[newer], place(older), older, predicted, options_.matching);
     ms_.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     if (is_true) {
       count_true(older, newer, truth, found);
@@ -180,11 +180,11 @@ class MatchStatistics {
   }
 
   [[nodiscard]] std::vector<PlacedWalls> place(int older) const {
-    std::vector<PlacedWalls> placed{{&run_.walls[older], {}}};
+    std::vector<PlacedWalls> placed{{run_.walls[older], {}}};
     for (int k = 1; k <= options_.neighbours; ++k) {
       for (const int other : {older - k, older + k}) {
         if (other < 0 || other >= static_cast<int>(run_.maps.size())) continue;
-        placed.push_back({&run_.walls[other],
+        placed.push_back({run_.walls[other],
                           between(run_.maps[older].T_odom_local, run_.maps[other].T_odom_local)});
       }
     }

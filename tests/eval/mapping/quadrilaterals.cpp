@@ -34,7 +34,7 @@ std::optional<Leg> match(const MappedRun& run, int older, int newer, const Pose2
   constexpr double kDeterminantMin = 1e3;  // of the information; sd of 0.1 m and 0.1 rad give 1e6
   const RelativePose predicted{expected, Eigen::Vector3d(0.09, 0.09, 0.01).asDiagonal()};
   const auto found =
-      match_maps(run.walls[newer], {{&run.walls[older], {}}}, older, predicted, params);
+      match_maps(*run.walls[newer], {{run.walls[older], {}}}, older, predicted, params);
   if (found.empty() || found.front().information.determinant() < kDeterminantMin)
     return std::nullopt;
   return Leg{found.front().T_older_newer, found.front().information.inverse()};

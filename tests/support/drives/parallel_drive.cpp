@@ -87,7 +87,7 @@ double ParallelDrive::newest_error_m() const {
 PathError ParallelDrive::error() const {
   const std::vector<Pose2> poses = mapping_->graph().poses;
   Trajectory trajectory;
-  for (const LocalMap& map : mapping_->local_maps()) {
+  for (const LocalMap& map : mapping_->local_maps().headers()) {
     trajectory.push_back({map.utime, poses[static_cast<std::size_t>(map.id)]});
   }
   return path_error(trajectory, run_.truth());

@@ -37,10 +37,16 @@ struct Ramp {
   }
 };
 
+WallStore stored(const std::vector<LocalWalls>& walls) {
+  WallStore store;
+  for (const LocalWalls& of_map : walls) store.push_back(of_map);
+  return store;
+}
+
 TEST(MapHeights, FollowTheClimbs) {
   const Ramp ramp(20, 0.2);
   MapHeights heights{MapHeightsParams{}};
-  heights.update(ramp.maps, ramp.walls, {});
+  heights.update(ramp.maps, stored(ramp.walls), {});
   for (int id = 0; id < 20; ++id) EXPECT_NEAR(heights.height_m(id), id * 1.0, 1e-3);
   EXPECT_LT(std::sqrt(heights.variances_to(0)[19]), 0.6);
 }
@@ -48,7 +54,7 @@ TEST(MapHeights, FollowTheClimbs) {
 TEST(MapHeights, AreUnknownWithoutAnAttitude) {
   const Ramp ramp(20, 0.0, false);
   MapHeights heights{MapHeightsParams{}};
-  heights.update(ramp.maps, ramp.walls, {});
+  heights.update(ramp.maps, stored(ramp.walls), {});
   EXPECT_GT(std::sqrt(heights.variances_to(0)[19]), 5.0);  // 95 m of ground with any slope
 }
 
@@ -56,22 +62,22 @@ TEST(MapHeights, AreUnknownWithoutAnAttitude) {
 TEST(MapHeights, TellLevelsApart) {
   const Ramp ramp(13, 0.1);
   MapHeights heights{MapHeightsParams{}};
-  heights.update(ramp.maps, ramp.walls, {});
+  heights.update(ramp.maps, stored(ramp.walls), {});
   const Pose2 T_across{2.5, -2.5, 1.57};
-  EXPECT_FALSE(heights.same_level(0, 12, T_across, ramp.walls));  // 6 m above
-  EXPECT_TRUE(heights.same_level(0, 1, {kLengthM, 0.0, 0.0}, ramp.walls));
+  EXPECT_FALSE(heights.same_level(0, 12, T_across, stored(ramp.walls)));  // 6 m above
+  EXPECT_TRUE(heights.same_level(0, 1, {kLengthM, 0.0, 0.0}, stored(ramp.walls)));
 
   const Ramp level(13, 0.0);
   MapHeights level_heights{MapHeightsParams{}};
-  level_heights.update(level.maps, level.walls, {});
-  EXPECT_TRUE(level_heights.same_level(0, 12, T_across, level.walls));
+  level_heights.update(level.maps, stored(level.walls), {});
+  EXPECT_TRUE(level_heights.same_level(0, 12, T_across, stored(level.walls)));
 }
 
 TEST(MapHeights, LevelsAreNotToldApartWithoutAnAttitude) {
   const Ramp ramp(13, 0.1, false);
   MapHeights heights{MapHeightsParams{}};
-  heights.update(ramp.maps, ramp.walls, {});
-  EXPECT_TRUE(heights.same_level(0, 12, {2.5, -2.5, 1.57}, ramp.walls));
+  heights.update(ramp.maps, stored(ramp.walls), {});
+  EXPECT_TRUE(heights.same_level(0, 12, {2.5, -2.5, 1.57}, stored(ramp.walls)));
 }
 
 TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
@@ -79,9 +85,9 @@ TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
   for (LocalMap& map : ramp.maps) map.climb_m = 0.01 * map.forward_m;  // an error of the pitch
   MapHeights heights{MapHeightsParams{}};
   const PoseConstraint same_place{0, 8, {}, Eigen::Matrix3d::Identity()};
-  heights.update(ramp.maps, ramp.walls, {});
+  heights.update(ramp.maps, stored(ramp.walls), {});
   EXPECT_NEAR(heights.height_m(8), 0.4, 1e-3);
-  heights.update(ramp.maps, ramp.walls, {same_place});
+  heights.update(ramp.maps, stored(ramp.walls), {same_place});
   EXPECT_NEAR(heights.height_m(8), 0.0, 0.03);
 }
 
@@ -114,7 +120,7 @@ TEST(MapHeights, ReverseDrivingDoesNotRevealTheErrorOfThePitch) {
     }
   }
   MapHeights heights{MapHeightsParams{}};
-  heights.update(ramp.maps, ramp.walls, loop_closures);
+  heights.update(ramp.maps, stored(ramp.walls), loop_closures);
   EXPECT_NEAR(heights.height_m(kOut), kError * kOut * kLengthM, 1e-3);  // nothing corrects it
   const MapHeightsParams params;
   const double pitch_m = params.pitch_sd_rad * kOut * kLengthM;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ inline LocalMap drive_straight(const WallWorld& world, const Pose2& T_world_loca
 inline LocalWalls walls_of(const WallWorld& world, const Pose2& T_world_local,
                            double length_m = 5.0, std::uint64_t seed = 1) {
   return local_walls(drive_straight(world, T_world_local, length_m, seed), front_mount(), {});
+}
+
+/// For a list of walls that does not own them.
+inline std::shared_ptr<const LocalWalls> borrowed(const LocalWalls& walls) {
+  return {std::shared_ptr<const LocalWalls>(), &walls};
 }
 
 }  // namespace adit::test

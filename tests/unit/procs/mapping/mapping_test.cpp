@@ -57,7 +57,8 @@ class Shuttle {
     MappingParams params;
     params.maps_per_place_max = maps_per_place_max;
     params.association.gate = gate_;
-    StoredMap stored{mapping ? mapping->local_maps() : std::vector<LocalMap>{}, decided_, {}};
+    StoredMap stored{
+        mapping ? mapping->local_maps().load_all() : std::vector<LocalMap>{}, decided_, {}};
     if (mapping) stored.unfinished = mapping->unfinished();
     mapping.emplace(params);
     mapping->restore(std::move(stored));

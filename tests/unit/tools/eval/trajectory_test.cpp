@@ -33,7 +33,7 @@ TEST(Trajectory, HasNoPosesBeyondItsEnds) {
   EXPECT_FALSE(interpolate(trajectory, 2'002'000));
   EXPECT_EQ(interpolate(trajectory, 999'990), trajectory.front().pose);
   EXPECT_EQ(interpolate(trajectory, 2'000'010), trajectory.back().pose);
-  EXPECT_FALSE(interpolate({}, 0));
+  EXPECT_FALSE(interpolate(Trajectory{}, 0));
 }
 
 TEST(Trajectory, MeasuresItsLength) {
@@ -57,7 +57,7 @@ TEST(DistanceTravelled, IsZeroForARobotAtRest) {
   for (TimedPose& timed : trajectory) timed.pose.x -= 0.013 * static_cast<double>(timed.utime);
   EXPECT_GT(path_length_m(trajectory), 10.0);
   EXPECT_EQ(distance_travelled_m(trajectory, 0.2), 0.0);
-  EXPECT_EQ(distance_travelled_m({}, 0.2), 0.0);
+  EXPECT_EQ(distance_travelled_m(Trajectory{}, 0.2), 0.0);
 }
 
 TEST(DistanceTravelled, KeepsTheLengthOfAStraightLine) {

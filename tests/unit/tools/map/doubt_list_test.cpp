@@ -26,15 +26,15 @@ class DoubtListTest : public testing::Test {
   }
 
   void add(int from_s, int to_s, Reason reason) {
-    doubts_.push_back({to_s * kOneSecond, from_s * kOneSecond, reason, {}});
+    doubts_.push_back({to_s * kOneSecond, from_s * kOneSecond, reason, 0});
   }
   [[nodiscard]] std::vector<DoubtfulStretch> stretches() const {
-    return doubtful_stretches(doubts_, contradictions_, path_, maps_);
+    return doubtful_stretches(doubts_, contradictions_, DistanceAlong(path_), maps_);
   }
 
   Trajectory path_;
   std::vector<LocalMap> maps_;
-  std::vector<MatchDoubt> doubts_;
+  Spool<MotionDoubt> doubts_;
   std::vector<MapContradiction> contradictions_;
 };
 
@@ -74,11 +74,11 @@ TEST_F(DoubtListTest, TellsHowLongTheMotionWasNotMeasured) {
 
 TEST_F(DoubtListTest, MarksThePosesOfStretches) {
   add(10, 12, Reason::kLost);
-  const std::vector<bool> inside = in_stretches(stretches(), path_);
-  EXPECT_FALSE(inside[9]);
-  EXPECT_TRUE(inside[10]);
-  EXPECT_TRUE(inside[12]);
-  EXPECT_FALSE(inside[13]);
+  const auto inside = [list = stretches()](int s) { return in_stretches(list, s * kOneSecond); };
+  EXPECT_FALSE(inside(9));
+  EXPECT_TRUE(inside(10));
+  EXPECT_TRUE(inside(12));
+  EXPECT_FALSE(inside(13));
 }
 
 /// An error between maps 6 and 7 and one between maps 12 and 13.
@@ -95,8 +95,8 @@ TEST_F(DoubtListTest, ExplainsAllContradictionsByTheFewestStretches) {
   EXPECT_EQ(stretches_text(list),
             "3 doubtful stretches: at 30 to 40 m (contradictory), at 60 to 70 m (contradictory), "
             "at 2 to 3 m (lost)");
-  EXPECT_TRUE(in_stretches(list, path_)[2]);
-  EXPECT_TRUE(in_stretches(list, path_)[35]);
+  EXPECT_TRUE(in_stretches(list, 2 * kOneSecond));
+  EXPECT_TRUE(in_stretches(list, 35 * kOneSecond));
 }
 
 TEST_F(DoubtListTest, LeavesOutWhatLiesInEarlierRuns) {
@@ -106,6 +106,37 @@ TEST_F(DoubtListTest, LeavesOutWhatLiesInEarlierRuns) {
   contradictions_ = {{4, 12, 30.0}};
   ASSERT_EQ(stretches().size(), 1U);
   EXPECT_EQ(stretches().front().local_maps, (std::vector<int>{10, 11, 12}));
+}
+
+/// A doubt every 10 m over 100 km, and as many contradictions: a person reads a few hundred.
+TEST_F(DoubtListTest, JoinsNeighboursOfALongRun) {
+  constexpr int kTens = 10'000;
+  path_.clear();
+  maps_.clear();
+  for (int i = 0; i <= 10 * kTens; ++i) {
+    path_.push_back({i * kOneSecond, {double(i), 0.0, 0.0}});
+  }
+  for (int i = 0; i < kTens; ++i) {
+    LocalMap map;
+    map.id = i;
+    map.utime = 10 * i * kOneSecond;
+    map.end_utime = 10 * (i + 1) * kOneSecond;
+    maps_.push_back(map);
+    add(10 * i + 4, 10 * i + 5, i % 2 == 0 ? Reason::kLost : Reason::kAmbiguous);
+    if (i % 4 == 1) contradictions_.push_back({i - 1, i, 30.0});
+  }
+  const auto list = stretches();
+  EXPECT_LE(list.size(), 2 * kStretchesMax);
+  std::size_t motions = 0;
+  std::size_t maps = 0;
+  for (const DoubtfulStretch& stretch : list) {
+    motions += stretch.motions;
+    if (stretch.motions == 0) maps += stretch.local_maps.size();
+  }
+  EXPECT_EQ(motions, std::size_t{kTens}) << "each belongs to one stretch";
+  EXPECT_EQ(maps, std::size_t{kTens / 2});
+  EXPECT_EQ(list.back().reasons, (std::vector<std::string>{"lost", "ambiguous"}));
+  EXPECT_LT(stretches_text(list).size(), 500U);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map/full_map.hpp"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,7 +64,8 @@ Association association(int loop_closure, int newer, int older, int chosen, int 
 class FullMapTest : public testing::Test {
  protected:
   FullMapTest() {
-    earlier_.maps = {local_map(0, 0, 0, 0.0), local_map(1, 0, 4, 4.0)};
+    earlier_.maps.push_back(local_map(0, 0, 0, 0.0));
+    earlier_.maps.push_back(local_map(1, 0, 4, 4.0));
     earlier_.associations = {association(0, 1, 0, 0, Association::kNone)};
     for (int i = 0; i <= kScans; ++i) {
       send(100 + i, channels::kLaserFront, to_message(scan_at(100 + i)));
@@ -97,7 +100,7 @@ class FullMapTest : public testing::Test {
 
   MemoryBus bus_;
   RunRecord record_{bus_};
-  StoredMap earlier_;
+  EarlierMap earlier_;
   FullMap map_;
 };
 
@@ -106,7 +109,9 @@ TEST_F(FullMapTest, HasBothRunsInOneFrame) {
   ASSERT_EQ(map_.paths.size(), 2U);
   EXPECT_EQ(map_.paths[0].size(), 2U * kScans - 1U);  // consecutive maps share a scan
   EXPECT_EQ(map_.paths[1].size(), kScans + 1U);
-  EXPECT_EQ(map_.scans.size(), 3U * kScans + 1U);
+  std::size_t scans = 0;
+  EXPECT_TRUE(map_.visit_scans(map_, [&](const PlacedScan&) { return ++scans > 0; }));
+  EXPECT_EQ(scans, 3U * kScans + 1U);
   const Trajectory path = joined_path(map_);
   ASSERT_EQ(path.size(), 3U * kScans);
   EXPECT_EQ(path[4].pose, (Pose2{4, 1, 0}));
@@ -116,7 +121,12 @@ TEST_F(FullMapTest, HasBothRunsInOneFrame) {
 }
 
 TEST_F(FullMapTest, UsesTheLaterSessionForPosesOfTheSameTime) {
-  map_.paths[1].front().utime = map_.paths[0].front().utime;
+  Spool<TimedPose> later;
+  for (TimedPose pose : map_.paths[1]) {
+    if (later.empty()) pose.utime = map_.paths[0].front().utime;
+    later.push_back(pose);
+  }
+  map_.paths[1] = std::move(later);
   const Trajectory path = joined_path(map_);
   EXPECT_EQ(path.size(), 3U * kScans - 1U);
   EXPECT_EQ(path.front().pose, (Pose2{0, 3, 0}));

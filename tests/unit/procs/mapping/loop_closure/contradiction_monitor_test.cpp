@@ -36,9 +36,12 @@ class ContradictionMonitorTest : public testing::Test {
 
   std::vector<MapContradiction> update(const std::vector<Pose2>& poses) {
     const auto alone = [this](int map) {
-      return std::vector<PlacedWalls>{{&walls_[static_cast<std::size_t>(map)], {}, 0.0}};
+      const LocalWalls& walls = walls_[static_cast<std::size_t>(map)];
+      return std::vector<PlacedWalls>{{test::borrowed(walls), {}, 0.0}};
     };
-    monitor_.update(walls_, extents_, poses, alone,
+    WallStore stored;
+    for (const LocalWalls& walls : walls_) stored.push_back(walls);
+    monitor_.update(stored, extents_, poses, alone,
                     [this](int, int, const Pose2&) { return same_level_; });
     return monitor_.contradictions();
   }
@@ -89,7 +92,8 @@ TEST_F(ContradictionMonitorTest, BoundsTheContradictionWithoutWalls) {
     for (std::size_t newer = 3; newer < poses.size(); ++newer) {
       const Pose2 T = between(poses[older], poses[newer]);
       EXPECT_GE(contradiction_bound(walls_[newer], walls_[older], T, params),
-                0.9 * contradiction(walls_[newer], {{&walls_[older], {}, 0.0}}, T, params));
+                0.9 * contradiction(walls_[newer], {{test::borrowed(walls_[older]), {}, 0.0}}, T,
+                                    params));
     }
   }
 }

@@ -23,7 +23,7 @@ RelativePose around(const Pose2& T_older_newer, double sd_m, double sd_rad) {
 
 std::vector<LoopClosureAlternative> match(const LocalWalls& newer, const LocalWalls& older,
                                           const RelativePose& predicted) {
-  return match_maps(newer, {{&older, {}}}, 7, predicted, {});
+  return match_maps(newer, {{test::borrowed(older), {}}}, 7, predicted, {});
 }
 
 void expect_near(const Pose2& actual, const Pose2& expected, double metres, double radians) {
@@ -59,7 +59,8 @@ TEST(MapMatching, DependsOnTheOlderMapAndNotOnThePlacesOfItsNeighbours) {
   const LocalWalls next = walls_of(mine, T_world_older * Pose2{5.0, 0.0, 0.0}, 5.0, 3);
   const LocalWalls newer = walls_of(mine, T_world_older * truth, 5.0, 2);
   const auto found =
-      match_maps(newer, {{&older, {}}, {&next, {5.1, 0.0, 0.0}}}, 7, around(truth, 0.3, 0.05), {});
+      match_maps(newer, {{test::borrowed(older), {}}, {test::borrowed(next), {5.1, 0.0, 0.0}}}, 7,
+                 around(truth, 0.3, 0.05), {});
   ASSERT_FALSE(found.empty());
   expect_near(found.front().T_older_newer, truth, 0.01, 0.003);  // the floor of the model, twice
 }
@@ -84,7 +85,8 @@ TEST(MapMatching, IsUnsureOfTheDistanceBetweenPlacesThatAreFarFromEachOther) {
     MapMatchingParams params;
     params.refinement.residual_sd_min_m = 1e-4;  // the walls are less rough than lasers are noisy
     params.far_view_per_m2 = far_view_per_m2;
-    const auto found = match_maps(newer, {{&older, {}}}, 7, around(truth, 0.5, 0.05), params);
+    const auto found =
+        match_maps(newer, {{test::borrowed(older), {}}}, 7, around(truth, 0.5, 0.05), params);
     EXPECT_FALSE(found.empty());
     if (found.empty()) return Eigen::Matrix3d::Zero();
     return found.front().information.inverse();

@@ -52,11 +52,18 @@ std::optional<CellHazard> hazard_of(BlockingCell::Reason reason) {
     case Reason::kSlope:
       return CellHazard{"slope", "m"};
     case Reason::kDrop:
-      return CellHazard{"drop", "m"};
+      return CellHazard{"possible drop", ""};  // its ground was not seen
     case Reason::kUnknown:
       break;
   }
   return std::nullopt;
+}
+
+/// Whether so little room above the ground is left by a roof, rather than by an obstacle on the
+/// ground or by a rib that overhangs: those begin below the belly, or below what passes for ground
+/// (negative).
+bool is_roof(double clearance_m, const Vehicle& vehicle) {
+  return clearance_m >= vehicle.belly_clearance_m;
 }
 
 /// The worse of two values: the lower roof, otherwise the larger value.
@@ -154,6 +161,7 @@ void HazardLayer::add_path(const PlannedPath& path) {
   for (const BlockingCell& cell : path.blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
+    if (cell.reason == BlockingCell::Reason::kRoof && !is_roof(cell.height_m, vehicle_)) continue;
     add({hazard->kind, cell.height_m, hazard->unit,
          fmt::format("blocks the path of plan {}", path.id), path.utime,
          frame_.anchored({{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m}),
@@ -188,6 +196,7 @@ void HazardLayer::add_terrain(const TerrainMap& terrain, int number) {
               regions_of(terrain,
                          [this](const TerrainCell& cell) {
                            return cell.ground == Ground::kObserved &&
+                                  is_roof(cell.clearance_m, vehicle_) &&
                                   cell.clearance_m < static_cast<float>(vehicle_.height_m) &&
                                   cell.coefficient_m < static_cast<float>(vehicle_.step_max_m);
                          }),

@@ -78,10 +78,10 @@ TEST_F(TimeBudgetTest, ScansWithoutAPathCountApart) {
   EXPECT_NEAR(seconds_of(Activity::kScan), 7.0, kTolerance);
 }
 
-TEST_F(TimeBudgetTest, TheWayBackIsKnownGround) {
+TEST_F(TimeBudgetTest, TheReturnIsKnownGround) {
   run(Phase::kExecute, 20.0, kSpeedMS);
   run(Phase::kExecute, 20.0, -kSpeedMS);
-  // The first metres back are still the visit that began on the way there.
+  // The first metres back are still the visit that began outbound.
   EXPECT_NEAR(seconds_of(Activity::kDriveKnown), 20.0, 4.0);
   EXPECT_NEAR(seconds_of(Activity::kDriveNew) + seconds_of(Activity::kDriveKnown), 39.9,
               kTolerance);

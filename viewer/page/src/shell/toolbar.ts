@@ -45,7 +45,7 @@ export class Toolbar {
   #goTo(distance_m: number): void {
     const line = this.#trajectory();
     const point = line?.pointAt(distance_m);
-    if (!point) return setText(byId("measure"), line ? `the trajectory is ${line.length_m.toFixed(0)} m long` : "no trajectory yet");
+    if (!point) return setText(byId("measure"), line ? `the farthest place is ${line.length_m.toFixed(0)} m from the start` : "no trajectory yet");
     this.showView("map");
     this.map.centre(...point);
     this.map.measureWidth(...point);

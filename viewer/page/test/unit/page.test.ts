@@ -82,6 +82,21 @@ describe("chainage", () => {
     const twice = new Chainage(Float64Array.from([0, 0, 0, 10, 0, 0, 4, 0, 0, 10.5, 0, 0]));
     expect(twice.nearest(12, 0)).toEqual({ distance_m: 10, offset_m: 2 });
   });
+  it("does not count going to and fro", () => {
+    const twice = new Chainage(Float64Array.from([0, 0, 0, 10, 0, 0, 4, 0, 0, 20, 0.2, 0]));
+    expect(twice.length_m).toBeCloseTo(20, 1);
+  });
+  it("is the same in two branches, and goes the shorter way back from a dead end", () => {
+    const branches = new Chainage(Float64Array.from([0, 0, 0, 10, 0, 0, 10, 6, 0, 10, 0, 0, 10, -8, 0]));
+    expect(branches.length_m).toBeCloseTo(18, 0);  // the corner of the junction may be cut, by less than a step
+    const [left, right] = branches.pointsAt(14);
+    expect(left![1]).toBeCloseTo(4);
+    expect(right![1]).toBeCloseTo(-4, 0);
+  });
+  it("tells levels apart", () => {
+    const ramp = new Chainage(Float64Array.from([0, 0, 0, 20, 0, 0, 20, 20, -3, 10, 20, -5, 10, -5, -5]));
+    expect(ramp.nearest(10, -5).distance_m).toBeCloseTo(75);
+  });
 });
 
 describe("cloud", () => {

@@ -18,7 +18,7 @@ export const kTrajectory: Layer = {
   },
 };
 
-/** Distances along the outbound trajectory, which name places underground. */
+/** Chainages along the outbound trajectory, which name places underground. */
 export const kDistances: Layer = {
   key: "distances", label: "distance from the start", swatch: "outbound", on: true,
   draw(frame) {
@@ -26,12 +26,13 @@ export const kDistances: Layer = {
     if (!line) return;
     const step_m = Math.max(1, 2 * roundStep(kDistanceSpacing_px / frame.brush.camera.scale));
     for (let distance_m = step_m; distance_m <= line.length_m; distance_m += step_m) {
-      const [x, y] = line.pointAt(distance_m)!;
-      frame.brush.at(x, y, 0, (context) => {
-        context.fillStyle = colour("outbound");
-        context.fillRect(-1.5, -4, 3, 8);
-      });
-      frame.brush.text(x, y, `${distance_m} m`, colour("outbound"), 3);
+      for (const [x, y] of line.pointsAt(distance_m)) {
+        frame.brush.at(x, y, 0, (context) => {
+          context.fillStyle = colour("outbound");
+          context.fillRect(-1.5, -4, 3, 8);
+        });
+        frame.brush.text(x, y, `${distance_m} m`, colour("outbound"), 3);
+      }
     }
   },
 };

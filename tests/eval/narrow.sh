@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # narrow.sh DIR [JOBS [SEEDS..]]
-# Prints the tables of narrow tunnels of docs/results/slopes.md, one for each seed, default 1 and 2: missions through
+# Prints the table of docs/results/narrow_tunnels.md, one for each seed, default 1 and 2: missions through
 # tunnels of 1.3 to 2 m, straight, bent and necked. Passed is: home, and complete. DIR takes the folders of the
 # missions. One mission takes half a minute, in 1.3 m one and a half.
 # shellcheck source=tests/eval/common.sh

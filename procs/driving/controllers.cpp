@@ -13,11 +13,12 @@ constexpr double kDivisorMin = 0.2;  // beyond it the error exceeds all limits o
 }  // namespace
 
 double lateral_curvature(const PathTrackingError& error, double path_curvature_1_m,
-                         double direction, const LateralParams& params) {
+                         double direction, const LateralParams& params, double drift_rad) {
   const double omega = 1.0 / params.response_m;
-  const double c = std::max(kDivisorMin, std::cos(error.heading_rad));
+  const double course_rad = error.heading_rad + drift_rad;
+  const double c = std::max(kDivisorMin, std::cos(course_rad));
   const double divisor = std::max(kDivisorMin, 1.0 - path_curvature_1_m * error.lateral_m);
-  const double derivative = direction * std::sin(error.heading_rad);
+  const double derivative = direction * std::sin(course_rad);
   return path_curvature_1_m * c / divisor -
          (2.0 * params.damping * omega * derivative + omega * omega * error.lateral_m) / c;
 }

@@ -26,9 +26,10 @@ struct LateralParams {
 /// e_θ' = d (κ − κ_f), where d is 1, or −1 in reverse, and κ_f = κ_path cos e_θ / (1 − κ_path e_y)
 /// keeps e_θ constant. The returned curvature yields, without approximation,
 ///   e_y'' + 2 ζ ω e_y' + ω² e_y = 0,   ω = 1 / response.
-/// Where the curvature is clamped to that of the vehicle, the error falls more slowly.
+/// Where the curvature is clamped to that of the vehicle, the error falls more slowly. A constant
+/// `drift_rad` (DriftAngle) is compensated: e_y' = d sin(e_θ + drift).
 double lateral_curvature(const PathTrackingError& error, double path_curvature_1_m,
-                         double direction, const LateralParams& params);
+                         double direction, const LateralParams& params, double drift_rad = 0.0);
 
 struct PurePursuitParams {
   double lookahead_s = 2.0;  ///< look-ahead distance over the current speed

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/sensing/obstacle_points.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -19,10 +20,22 @@ constexpr double kStepMaxS = 0.2;           // maximum duration of a command
 // An error of the steering displaces the vehicle by its curvature times the square of the response:
 // where walls are near, and the robot slow, half of it.
 constexpr double kResponseShareMin = 0.7;
+constexpr std::int64_t kScanPoseMaxUs = 200'000;  // between a scan and the newest pose
+constexpr double kLevelRad =
+    0.01;  // tilt of a laser, beyond which it measures another part of the walls
 constexpr double kAfterHoldM = 0.3;  // driven slowly after a hold: what caused it is still near
 
 double response_share(double clearance_m, double clearance_full_m) {
   return std::clamp(clearance_m / clearance_full_m, kResponseShareMin, 1.0);
+}
+
+/// 1 where walls are so near that the robot creeps, 0 where its speed is not reduced for them. The
+/// drift angle is compensated there only: slow, it is accurate, and fast its errors displace the
+/// robot by more than the drift.
+double narrow_share(double clearance_m, const SpeedParams& speed) {
+  return std::clamp((speed.clearance_full_m - clearance_m) /
+                        std::max(1e-9, speed.clearance_full_m - speed.clearance_creep_m),
+                    0.0, 1.0);
 }
 
 }  // namespace
@@ -33,7 +46,8 @@ Driving::Driving(const DrivingParams& params)
       filter_(params.smoothing_s),
       permission_(params.localization),
       monitor_(params.progress),
-      ramp_(params.speed.acceleration_m_s2, params.steering.rate_1_m_s) {
+      ramp_(params.speed.acceleration_m_s2, params.steering.rate_1_m_s),
+      centring_(params.vehicle, params.centring) {
   state_.reason = "no path received yet";
 }
 
@@ -51,6 +65,7 @@ void Driving::follow(const PlannedPath& path) {
   }
   progress_.emplace(std::move(runs));
   monitor_.reset();
+  hold_steering_.reset();
   slow_until_m_ = 0.0;
   state_.remaining_m = progress_->remaining_m();
   begin_run();
@@ -59,11 +74,31 @@ void Driving::follow(const PlannedPath& path) {
 void Driving::begin_run() {
   profile_.emplace(progress_->run(), params_.speed, params_.vehicle.speed_max_m_s,
                    params_.steering.rate_1_m_s);
+  centring_.reset();
 }
 
 void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude) {
   filter_.add(utime, steered_.pose(T_odom_body));
+  drift_.add(steered_.pose(T_odom_body));
   monitor_.add_pose(utime, T_odom_body, attitude);
+  attitude_ = attitude;
+}
+
+void Driving::add_tilt(LaserId laser, const TiltReading& reading) {
+  tilt_rad_.at(static_cast<std::size_t>(laser)) = reading.angle_rad;
+}
+
+void Driving::add_scan(LaserId laser, const LaserScan& scan) {
+  const double tilt_rad = tilt_rad_.at(static_cast<std::size_t>(laser));
+  const bool has_pose = filter_.utime() && std::abs(scan.utime - *filter_.utime()) < kScanPoseMaxUs;
+  if (!is_active() || !has_pose || std::abs(tilt_rad) > kLevelRad) return;
+  const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
+  LaserPoints points =
+      project_scan(scan, mount, tilt_rad, attitude_.up_body(),
+                   {.min_m = params_.vehicle.step_max_m, .max_m = params_.vehicle.height_m});
+  const Pose2 T_odom_body = steered_.body(filter_.at(scan.utime));
+  for (Eigen::Vector2d& p : points.p_body) p = T_odom_body * p;
+  centring_.add(points.p_body, progress_->run(), progress_->s_m());
 }
 
 void Driving::add_match(const ScanMatch& match) {
@@ -125,6 +160,7 @@ void Driving::update_progress(std::int64_t utime) {
   state_.progress_m = progress_->distance_travelled_m();
   state_.remaining_m = progress_->remaining_m();
   state_.error = progress_->error(T_odom_steered);
+  hold_steering_.update(utime, state_.progress_m, permission_.hold_reason().has_value());
   target_curvature_1_m_ = target_curvature_1_m(T_odom_steered);
   const auto failure_reason =
       monitor_.failure_reason(utime, {progress_->distance_m(T_odom_steered), state_.error,
@@ -145,7 +181,19 @@ double Driving::target_curvature_1_m(const Pose2& T_odom_steered) const {
   const double curvature = run.curvature_1_m(s_m - kCurvatureWindowM, s_m + kCurvatureWindowM);
   LateralParams lateral = params_.pd;
   lateral.response_m *= response_share(run.clearance_m(s_m), params_.speed.clearance_full_m);
-  return lateral_curvature(state_.error, curvature, run.direction(), lateral);
+  const double narrow = narrow_share(run.clearance_m(s_m), params_.speed);
+  const double steering = std::lerp(1.0, hold_steering_.share(), narrow);
+  return steering * lateral_curvature(error_from_middle(), curvature, run.direction(), lateral,
+                                      narrow * drift_.angle_rad());
+}
+
+/// The error from the path in the middle of a narrow passage.
+PathTrackingError Driving::error_from_middle() const {
+  const double s_m = progress_->s_m();
+  PathTrackingError error = state_.error;
+  error.lateral_m -= centring_.offset_m(s_m);
+  error.heading_rad -= progress_->run().direction() * centring_.slope(s_m);
+  return error;
 }
 
 void Driving::move(double seconds) {

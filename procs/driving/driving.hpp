@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/attitude.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/laser_tilt.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/driving_state.hpp"
 #include "common/types/mission.hpp"
@@ -14,7 +19,10 @@
 #include "common/types/vehicle.hpp"
 #include "common/types/vehicle_state.hpp"
 #include "procs/driving/controllers.hpp"
+#include "procs/driving/drift_angle.hpp"
+#include "procs/driving/hold_steering.hpp"
 #include "procs/driving/motion_permission.hpp"
+#include "procs/driving/passage_centring.hpp"
 #include "procs/driving/path_run.hpp"
 #include "procs/driving/pose_filter.hpp"
 #include "procs/driving/progress_monitor.hpp"
@@ -37,10 +45,12 @@ struct SteeringParams {
 };
 
 struct DrivingParams {
+  Lasers lasers;
   Vehicle vehicle;
   std::string controller = "pd";  ///< or "pure_pursuit"
   LateralParams pd;
   PurePursuitParams pure_pursuit;
+  PassageCentringParams centring;  ///< with the controller pd
   SpeedParams speed;
   SteeringParams steering;
   LocalizationMonitorParams localization;
@@ -51,10 +61,12 @@ struct DrivingParams {
 
   template <class V>
   void visit(V& v) {
+    v.shared(Lasers::kSection, lasers);
     v.shared(Vehicle::kSection, vehicle);
     v("controller", controller, OneOf({"pd", "pure_pursuit"}));
     v("pd", pd);
     v("pure_pursuit", pure_pursuit);
+    v("centring", centring);
     v("speed", speed);
     v("steering", steering);
     v("localization", localization);
@@ -72,10 +84,10 @@ struct DriveOutput {
 };
 
 /// Follows paths (section 3.3 of the paper): locates the robot on its path, steers against the
-/// lateral error and limits the speed. The robot stops while it may not move (MotionPermission) and
-/// resumes by itself. While the vehicle is held, driving continues to command creeping, so that the
-/// guard can evaluate that motion. If the robot makes no progress (ProgressMonitor), it stops until
-/// it gets a new path.
+/// lateral error, in narrow passages against that from their middle (PassageCentring), and limits
+/// the speed. The robot stops while it may not move (MotionPermission) and resumes by itself. While
+/// the vehicle is held, driving continues to command creeping, so that the guard can evaluate that
+/// motion. If the robot makes no progress (ProgressMonitor), it stops until it gets a new path.
 class Driving {
  public:
   /// Throws std::invalid_argument for a vehicle that cannot be steered.
@@ -85,6 +97,9 @@ class Driving {
   void follow(const PlannedPath& path);
   void add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude = {});
   void add_match(const ScanMatch& match);
+  /// Scans of a tilted laser are not used.
+  void add_scan(LaserId laser, const LaserScan& scan);
+  void add_tilt(LaserId laser, const TiltReading& reading);
   void add_state(const VehicleState& state);
   /// `utime` is the bus time of the reception.
   void add_phase(const MissionPhase& phase, std::int64_t utime);
@@ -106,19 +121,25 @@ class Driving {
   [[nodiscard]] double target_speed_m_s() const;
   void finish_run(double seconds);
   [[nodiscard]] double target_curvature_1_m(const Pose2& T_odom_steered) const;
+  [[nodiscard]] PathTrackingError error_from_middle() const;
 
   DrivingParams params_;
   SteeredPoint steered_;
   PoseFilter filter_;
+  DriftAngle drift_;
+  HoldSteering hold_steering_;
   MotionPermission permission_;
   ProgressMonitor monitor_;
   CommandRamp ramp_;
   DrivingState state_;
   std::optional<PathProgress> progress_;
   std::optional<SpeedProfile> profile_;  ///< of the current run
-  std::optional<std::int64_t> utime_;    ///< of the last command
-  double target_curvature_1_m_ = 0.0;    ///< of the path of the steered point
-  double slow_until_m_ = 0.0;            ///< progress up to which the robot creeps after a hold
+  PassageCentring centring_;             ///< of the current run
+  Attitude attitude_;
+  std::array<double, 2> tilt_rad_{};   ///< by LaserId
+  std::optional<std::int64_t> utime_;  ///< of the last command
+  double target_curvature_1_m_ = 0.0;  ///< of the path of the steered point
+  double slow_until_m_ = 0.0;          ///< progress up to which the robot creeps after a hold
 };
 
 }  // namespace adit

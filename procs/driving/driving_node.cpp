@@ -7,6 +7,7 @@
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
@@ -29,6 +30,8 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
   });
   subscribe<scan_match_t>(bus, channels::kScanMatch, measured,
                           [this](const ScanMatch& match) { driving_.add_match(match); });
+  subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
   subscribe<vehicle_state_t>(bus, channels::kVehicleState, Delivery::latest(),
                              [this](const VehicleState& state) { driving_.add_state(state); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::latest(),
@@ -37,6 +40,15 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
     driving_.add_phase(phase, bus_.now_utime());
   });
   bus.create_timer(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });
+}
+
+void DrivingNode::subscribe_laser(LaserId laser, std::string_view scans, std::string_view tilts) {
+  subscribe<tilt_t>(bus_, tilts, Delivery::latest(), [this, laser](const TiltReading& reading) {
+    driving_.add_tilt(laser, reading);
+  });
+  subscribe<planar_lidar_t>(bus_, scans, Delivery::latest(), [this, laser](const LaserScan& scan) {
+    driving_.add_scan(laser, scan);
+  });
 }
 
 void DrivingNode::drive(std::int64_t utime) {

@@ -82,6 +82,10 @@ Pose2 SteeredPoint::pose(const Pose2& T_odom_body) const {
   return T_odom_body * Pose2{x_m_, 0.0, 0.0};
 }
 
+Pose2 SteeredPoint::body(const Pose2& T_odom_steered) const {
+  return T_odom_steered * Pose2{-x_m_, 0.0, 0.0};
+}
+
 double SteeredPoint::curvature_of_origin(double curvature_1_m) const {
   return curvature_1_m / std::hypot(1.0, x_m_ * curvature_1_m);
 }

@@ -22,6 +22,8 @@ class SteeredPoint {
 
   /// The pose of the point, with the heading of the body.
   [[nodiscard]] Pose2 pose(const Pose2& T_odom_body) const;
+  /// The pose of the body from that of the point.
+  [[nodiscard]] Pose2 body(const Pose2& T_odom_steered) const;
   /// Maximum curvature of the path of the point [1/m].
   [[nodiscard]] double curvature_max_1_m() const { return curvature_max_1_m_; }
   /// Curvature of the path of the body's origin, as in commands, from that of the point.

@@ -12,8 +12,8 @@
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/obstacle_points.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/guard/laser_monitor.hpp"
 
 namespace adit {
 

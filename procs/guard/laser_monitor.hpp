@@ -5,31 +5,17 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
+#include "common/sensing/obstacle_points.hpp"
 #include "common/types/vehicle.hpp"
 #include "procs/guard/input_staleness.hpp"
 
 namespace adit {
-
-/// The points of a scan at the height of obstacles.
-struct LaserPoints {
-  /// In the body frame, one for each beam in their order; NaN for beams without an obstacle.
-  std::vector<Eigen::Vector2d> p_body;
-  int returns = 0;  ///< number of beams with a valid range
-};
-
-/// Projects a scan into the body frame. A point is ground if it is at most one step above the
-/// ground, and roof if it is above the vehicle. Heights are taken both above the plane of the
-/// wheels, which is right on a slope, and along `up_body`, which is right while a wheel is on a
-/// rail: a point is an obstacle if it is one by both.
-LaserPoints project_scan(const LaserScan& scan, const LaserMount& mount, double tilt_rad,
-                         const Eigen::Vector3d& up_body, const Vehicle& vehicle);
 
 /// The newest scan of a laser, and whether it can be relied on. Times are in MonotonicTime. A laser
 /// without tilt readings is level.

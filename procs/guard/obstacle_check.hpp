@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
+#include "common/sensing/obstacle_points.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/guard/laser_monitor.hpp"
 
 namespace adit {
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -190,6 +191,29 @@ TEST(SideMargin, GrowsWithTheSpeedAndLeavesRoomForErrors) {
     const double speed_m_s = 0.5 * (clearance_m - 0.03) / 0.12;
     EXPECT_GE(clearance_m - side_margin_m(params, speed_m_s), 0.03) << clearance_m;
   }
+}
+
+TEST(DistanceToObstacle, NeedsTwoNeighbouringBeams) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const ArcSweep sweep(Vehicle{}, {0.4, 0.0}, 0.05);
+  const auto distance_m = [&](const std::vector<double>& x_m) {  // of beams straight ahead
+    LaserPoints points;
+    for (const double x : x_m) points.p_body.emplace_back(x, 0.0);
+    return distance_to_obstacle_m(points, sweep, 2.0);
+  };
+  const double front_m = 0.5 * Vehicle{}.length_m;
+  EXPECT_EQ(distance_m({kNan, 2.05, kNan, 2.05, kNan}), kNoContact);
+  EXPECT_NEAR(distance_m({9.0, 2.05, 2.05, 9.0}), 2.05 - front_m, 1e-9);
+  EXPECT_NEAR(distance_m({9.0, 1.55, 2.05, 9.0}), 2.05 - front_m, 1e-9);  // the farther of two
+  EXPECT_EQ(distance_m({}), kNoContact);
+  EXPECT_EQ(distance_m({4.0, 4.0}), kNoContact);  // beyond the stopping distance
+}
+
+TEST(StoppingDistance, IsTheSumOfReactionAndBraking) {
+  const ObstacleParams params{0.1, 0.5, 0.15, 0.05};
+  EXPECT_NEAR(stopping_distance_m(params, 0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
+  EXPECT_NEAR(stopping_distance_m(params, -0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
+  EXPECT_NEAR(stopping_distance_m(params, 0.0, 0.2), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/guard/laser_monitor.hpp"
+#include "common/sensing/obstacle_points.hpp"
 
 #include <cmath>
 #include <limits>
@@ -8,12 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "procs/guard/obstacle_check.hpp"
-
 namespace adit {
 namespace {
 
 const Eigen::Vector3d kLevel = Eigen::Vector3d::UnitZ();
+constexpr ObstacleHeights kHeights{.min_m = 0.2, .max_m = 1.0};
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 LaserMount mount() {
@@ -36,11 +35,12 @@ int obstacles(const LaserPoints& points) {
 }
 
 int obstacles_at(float range_m, double tilt_rad, const Eigen::Vector3d& up_body = kLevel) {
-  return obstacles(project_scan(scan_ahead({range_m}), mount(), tilt_rad, up_body, Vehicle{}));
+  return obstacles(project_scan(scan_ahead({range_m}), mount(), tilt_rad, up_body, kHeights));
 }
 
 TEST(LaserPoints, AreInTheBodyFrame) {
-  const LaserPoints points = project_scan(scan_ahead({2.0F, 1.0F, 2.0F}), mount(), 0.0, kLevel, {});
+  const LaserPoints points =
+      project_scan(scan_ahead({2.0F, 1.0F, 2.0F}), mount(), 0.0, kLevel, kHeights);
   ASSERT_EQ(points.p_body.size(), 3U);
   EXPECT_NEAR(points.p_body[1].x(), 2.05, 1e-6);
   EXPECT_NEAR(points.p_body[1].y(), 0.0, 1e-6);
@@ -49,11 +49,12 @@ TEST(LaserPoints, AreInTheBodyFrame) {
 
 TEST(LaserPoints, LeaveOutInvalidRanges) {
   const float infinite = std::numeric_limits<float>::infinity();
-  const LaserPoints points = project_scan(
-      scan_ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}), mount(), 0.0, kLevel, {});
+  const LaserPoints points =
+      project_scan(scan_ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}), mount(), 0.0,
+                   kLevel, kHeights);
   EXPECT_EQ(points.returns, 0);
   EXPECT_EQ(obstacles(points), 0);
-  EXPECT_EQ(project_scan({}, mount(), 0.0, kLevel, {}).p_body.size(), 0U);
+  EXPECT_EQ(project_scan({}, mount(), 0.0, kLevel, kHeights).p_body.size(), 0U);
 }
 
 TEST(LaserPoints, LeaveOutGroundAndRoof) {
@@ -72,28 +73,6 @@ TEST(LaserPoints, ContainAWallAheadOfAPitchedBody) {
   // Floor ahead of a body with its nose down: above the plane of its wheels, but not by gravity.
   const Eigen::Vector3d nose_down(-std::sin(0.2), 0.0, std::cos(0.2));
   EXPECT_EQ(obstacles_at(2.0F, 0.0, nose_down), 0);
-}
-
-TEST(DistanceToObstacle, NeedsTwoNeighbouringBeams) {
-  const ArcSweep sweep(Vehicle{}, {0.4, 0.0}, 0.05);
-  const auto distance_m = [&](std::vector<float> ranges_m) {
-    return distance_to_obstacle_m(
-        project_scan(scan_ahead(std::move(ranges_m)), mount(), 0.0, kLevel, {}), sweep, 2.0);
-  };
-  EXPECT_EQ(distance_m({kNan, 1.0F, kNan, 1.0F, kNan}), std::numeric_limits<double>::infinity());
-  EXPECT_NEAR(distance_m({9.0F, 1.0F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2, 1e-3);
-  EXPECT_NEAR(distance_m({9.0F, 0.5F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2,
-              1e-3);  // two neighbours at the second range
-  EXPECT_EQ(distance_m({}), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(distance_m({4.0F, 4.0F}),
-            std::numeric_limits<double>::infinity());  // beyond the stopping distance
-}
-
-TEST(StoppingDistance, IsTheSumOfReactionAndBraking) {
-  const ObstacleParams params{0.1, 0.5, 0.15, 0.05};
-  EXPECT_NEAR(stopping_distance_m(params, 0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
-  EXPECT_NEAR(stopping_distance_m(params, -0.4, 0.05), 0.4 * 0.15 + 0.16, 1e-12);
-  EXPECT_NEAR(stopping_distance_m(params, 0.0, 0.2), 0.0, 1e-12);
 }
 
 }  // namespace

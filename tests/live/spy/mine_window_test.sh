@@ -7,38 +7,20 @@
 # private network, plays its log, opens "Draw the mine" of the channel CLOUD, and looks for walls, pose graph and robot in
 # the picture of the window.
 set -u
-here=$(dirname "$(readlink -f "$0")")
-
-if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
-  ADIT_PRIVATE_NETWORK=yes exec "$here/../in_private_network.sh" "$0" "$@"
-fi
-for tool in Xvfb xdotool import convert lcm-spy lcm-logplayer java; do
-  if ! command -v "$tool" >/dev/null; then
-    echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick default-jre liblcm-bin liblcm-java libjchart2d-java" >&2
-    exit 77
-  fi
-done
-scratch=$(mktemp -d)
-processes=()
-trap 'kill "${processes[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
-log=$scratch/run.lcmlog
-"$1" "$log" || exit 1
-shift
-picture=$scratch/mine.png
+# shellcheck source=tests/live/spy/spy_display.sh
+. "$(dirname "$(readlink -f "$0")")/spy_display.sh"
+need Xvfb xdotool import convert lcm-spy lcm-logplayer java
+write_log=$1; shift
+picture=
 if [[ $1 == *.png ]]; then picture=$1; shift; fi
 kRow=1      # of CLOUD in the alphabetical table of channels, behind ASSOCIATION
 kWall=1F242B kGraph=6D747C kRobot=C8324A   # colours of MinePanel
 kPixelsMin=20
 
-mkfifo "$scratch/display"
-Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
-processes+=($!)
-read -r number <"$scratch/display"
-export DISPLAY=:$number
-
-"$@" >"$scratch/spy.out" 2>&1 & processes+=($!)
-spy=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1)
-[[ -n $spy ]] || { cat "$scratch/spy.out" >&2; exit 1; }
+start_spy 1280x1024 "$@"
+log=$scratch/run.lcmlog
+picture=${picture:-$scratch/mine.png}
+"$write_log" "$log" || exit 1
 lcm-logplayer -s 10 "$log" >/dev/null   # the rows of the table are complete then
 
 # The menu of a row offers the plugin below the viewer of lcm-spy itself.

@@ -6,42 +6,18 @@
 # Takes a screenshot of lcm-spy while LOG is played: starts the command SPY (live_spy of the tests, or `adit spy`)
 # on a virtual display and a private network, and opens four channels.
 set -u
-here=$(dirname "$(readlink -f "$0")")
-
-if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
-  ADIT_PRIVATE_NETWORK=yes exec "$here/../in_private_network.sh" "$0" "$@"
-fi
+# shellcheck source=tests/live/spy/spy_display.sh
+. "$(dirname "$(readlink -f "$0")")/spy_display.sh"
+need Xvfb xdotool import lcm-logplayer
 log=$1; picture=$2; shift 2
 kRows=(2 3 4 5)   # of the alphabetical table of channels
-for tool in Xvfb xdotool import lcm-logplayer; do
-  if ! command -v "$tool" >/dev/null; then
-    echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick liblcm-bin libjchart2d-java" >&2
-    exit 77
-  fi
-done
-
-scratch=$(mktemp -d)
-processes=()
-trap 'kill "${processes[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
-
-mkfifo "$scratch/display"
-Xvfb -displayfd 3 -screen 0 1280x1210x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
-processes+=($!)
-read -r number <"$scratch/display"
-export DISPLAY=:$number
-
-"$@" >"$scratch/spy.out" 2>&1 & processes+=($!)
-window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1)
-if [[ -z $window ]]; then
-  cat "$scratch/spy.out" >&2
-  exit 1
-fi
+start_spy 1280x1210 "$@"
 lcm-logplayer "$log" >/dev/null & processes+=($!)
 sleep 3   # for the table to fill; lcm-spy does not signal this
 
 # Without a window manager, new windows open in the corner: move each one aside.
 windows() { xdotool search --onlyvisible --name "." | sort; }
-xdotool windowsize --sync "$window" 1270 260
+xdotool windowsize --sync "$spy" 1270 260
 for row in 0 1 2 3; do
   windows >"$scratch/before"
   for ((i = 0; i < 100; ++i)); do

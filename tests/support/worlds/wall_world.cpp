@@ -47,13 +47,13 @@ Ray level_ray(const Eigen::Vector2d& p_world, double z_m, double angle_rad) {
   return {origin.cast<float>(), direction.cast<float>()};
 }
 
+}  // namespace
+
 void add_closed(std::vector<Segment>& walls, const std::vector<Eigen::Vector2d>& corners) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     walls.push_back({corners[i], corners[(i + 1) % corners.size()]});
   }
 }
-
-}  // namespace
 
 WallWorld::WallWorld(std::vector<Segment> walls) : WallWorld(world_of(walls), kLaserHeightM) {
   walls_ = std::move(walls);

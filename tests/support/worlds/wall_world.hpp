@@ -23,6 +23,9 @@ struct Segment {
   Eigen::Vector2d b;
 };
 
+/// Adds the sides of a polygon.
+void add_closed(std::vector<Segment>& walls, const std::vector<Eigen::Vector2d>& corners);
+
 /// The section through a world at the height of a level laser. The simulator casts the rays. Copies
 /// share the mesh.
 class WallWorld {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -62,10 +61,6 @@ class CompressedLog : public testing::Test {
     for (const LogEvent& event : events) writer.write({event.utime, event.channel, event.data});
     writer.close();
   }
-  [[nodiscard]] std::string bytes(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
   void store(const std::string& bytes, const std::string& name) {
     std::ofstream(folder_ / name, std::ios::binary)
         .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -78,7 +73,8 @@ TEST_F(CompressedLog, IsSmallerAndHasTheSameEvents) {
   const Events events = drive(20'000);
   write(events, "run.lcmlog");
   write(events, "run.lcmlog.zst");
-  EXPECT_LT(bytes("run.lcmlog.zst").size(), bytes("run.lcmlog").size() * 7 / 10);
+  EXPECT_LT(test::contents(folder_ / "run.lcmlog.zst").size(),
+            test::contents(folder_ / "run.lcmlog").size() * 7 / 10);
   const Read compressed = read(folder_ / "run.lcmlog.zst");
   EXPECT_EQ(compressed.events, events);
   EXPECT_EQ(compressed.health.events, events.size());
@@ -100,7 +96,7 @@ TEST_F(CompressedLog, IsNotKnownByItsName) {
 TEST_F(CompressedLog, LosesWhatFollowsACutOnly) {
   const Events events = drive(5'000);
   write(events, "run.lcmlog.zst");
-  const std::string whole = bytes("run.lcmlog.zst");
+  const std::string whole = test::contents(folder_ / "run.lcmlog.zst");
   std::size_t last = 0;
   for (const double share : {0.1, 0.5, 0.9}) {
     store(whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size()))),
@@ -118,7 +114,7 @@ TEST_F(CompressedLog, LosesWhatFollowsACutOnly) {
 TEST_F(CompressedLog, ContinuesBehindDamage) {
   const Events events = drive(20'000);
   write(events, "run.lcmlog.zst");
-  std::string damaged = bytes("run.lcmlog.zst");
+  std::string damaged = test::contents(folder_ / "run.lcmlog.zst");
   for (std::size_t i = 0; i < 100; ++i) damaged[damaged.size() / 3 + i] = static_cast<char>(i);
   store(damaged, "damaged.lcmlog.zst");
   const Read read_events = read(folder_ / "damaged.lcmlog.zst");
@@ -160,7 +156,7 @@ TEST_F(CompressedLog, EndsWithAWholeEventOnAFullDisk) {
 TEST_F(CompressedLog, HasTheSameBytesForTheSameEvents) {
   write(drive(3'000), "a.lcmlog.zst");
   write(drive(3'000), "b.lcmlog.zst");
-  EXPECT_TRUE(bytes("a.lcmlog.zst") == bytes("b.lcmlog.zst"));
+  EXPECT_TRUE(test::contents(folder_ / "a.lcmlog.zst") == test::contents(folder_ / "b.lcmlog.zst"));
 }
 
 TEST_F(CompressedLog, LeavesNothingBesideItWhenItIsRead) {

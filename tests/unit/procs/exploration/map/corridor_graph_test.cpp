@@ -31,11 +31,10 @@ CorridorGraph corridors_of(const std::vector<Tunnel>& tunnels, double width_m = 
 
 /// Four walls of 0.2 m around p.
 void add_post(const Eigen::Vector2d& p, std::vector<test::Segment>& walls) {
-  const std::vector<Eigen::Vector2d> corners{{p.x() - 0.1, p.y() - 0.1},
-                                             {p.x() + 0.1, p.y() - 0.1},
-                                             {p.x() + 0.1, p.y() + 0.1},
-                                             {p.x() - 0.1, p.y() + 0.1}};
-  for (std::size_t i = 0; i < 4; ++i) walls.push_back({corners[i], corners[(i + 1) % 4]});
+  test::add_closed(walls, {{p.x() - 0.1, p.y() - 0.1},
+                           {p.x() + 0.1, p.y() - 0.1},
+                           {p.x() + 0.1, p.y() + 0.1},
+                           {p.x() - 0.1, p.y() + 0.1}});
 }
 
 /// A tunnel of 4 m by 40 m with rows of posts, a pair each 2 m.

@@ -13,12 +13,11 @@
 namespace adit {
 namespace {
 
-constexpr double kWindowM = 0.25;      // half the length of wall that is measured at once
-constexpr double kBesideM = 1.0;       // farther walls make no narrow passage
-constexpr double kBinM = 0.1;          // of arc length
-constexpr int kSmoothingBins = 3;      // to either side
-constexpr double kSlopeM = 0.1;        // to either side
-constexpr std::size_t kPointsMin = 5;  // on either wall
+constexpr double kBesideM = 1.0;        // farther walls make no narrow passage
+constexpr double kBinM = 0.1;           // of arc length
+constexpr int kSmoothingBins = 3;       // to either side
+constexpr double kSlopeM = 0.1;         // to either side
+constexpr std::size_t kPointsMin = 20;  // on either wall
 constexpr double kNearestShare =
     0.15;  // of the points of a wall that may be nearer by their errors
 
@@ -33,23 +32,24 @@ Pose2 pose_at(const PathRun& run, double s_m) {
 
 PassageCentring::PassageCentring(const Vehicle& vehicle, const PassageCentringParams& params)
     : params_(params),
+      steered_(vehicle),
       half_width_m_(0.5 * vehicle.width_m),
-      ahead_m_(0.5 * vehicle.length_m + kWindowM) {}
+      length_m_(vehicle.length_m) {}
 
 void PassageCentring::add(const std::vector<Eigen::Vector2d>& p_odom, const PathRun& run,
                           double s_m) {
-  add_window(p_odom, run, s_m + ahead_m_);
-  add_window(p_odom, run, s_m - ahead_m_);
+  add_window(p_odom, run, s_m + length_m_);
+  add_window(p_odom, run, s_m - length_m_);
 }
 
 void PassageCentring::add_window(const std::vector<Eigen::Vector2d>& p_odom, const PathRun& run,
                                  double s_m) {
-  const Pose2 T_path_odom = pose_at(run, s_m).inverse();
+  const Pose2 T_path_odom = steered_.body(pose_at(run, s_m)).inverse();
   std::vector<double> left_m;
   std::vector<double> right_m;
   for (const Eigen::Vector2d& p : p_odom) {
     const Eigen::Vector2d p_path = T_path_odom * p;
-    const bool is_beside = std::abs(p_path.x()) <= kWindowM &&
+    const bool is_beside = std::abs(p_path.x()) <= 0.5 * length_m_ &&
                            std::abs(p_path.y()) <= half_width_m_ + kBesideM;  // false for NaN
     if (is_beside) (p_path.y() > 0.0 ? left_m : right_m).push_back(std::abs(p_path.y()));
   }

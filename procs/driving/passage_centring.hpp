@@ -24,15 +24,17 @@ struct PassageCentringParams {
   }
 };
 
-/// Moves the path to the middle of a narrow passage. A path is planned on a grid, from the terrain
-/// of a 3D scan some metres back, and is off the middle by two or three centimetres. Where the
-/// walls leave five on either side, the guard then stops each correction of the steering. Both
-/// walls are measured ahead of the body, and behind it, by the level lasers; the offset between
-/// path and middle is a function of the arc length, interpolated beside the body, which the lasers
-/// do not see. A passage in which only one wall is near, or both are farther than `clearance_m`,
-/// has the offset 0.
+/// Moves the path to where a narrow passage leaves the body equal room on both sides. A path is
+/// planned on a grid, from the terrain of a 3D scan some metres back, and is off by two or three
+/// centimetres. Where the walls leave five on either side, the guard then stops each correction of
+/// the steering. Both walls are measured over the length of the body, ahead of it and behind it, by
+/// the level lasers: in a bend its flank is near the inner wall, and its corners are near the outer
+/// one. The offset of the path is a function of the arc length, interpolated beside the body, which
+/// the lasers do not see. A passage in which only one wall is near, or both are farther than
+/// `clearance_m`, has the offset 0.
 class PassageCentring {
  public:
+  /// Throws as SteeredPoint does.
   PassageCentring(const Vehicle& vehicle, const PassageCentringParams& params);
 
   /// Another run begins.
@@ -57,8 +59,9 @@ class PassageCentring {
   [[nodiscard]] double bin_offset_m(int bin) const;
 
   PassageCentringParams params_;
+  SteeredPoint steered_;
   double half_width_m_;
-  double ahead_m_;           ///< of the middle of the window from that of the body
+  double length_m_;
   std::map<int, Bin> bins_;  ///< by arc length
 };
 

@@ -18,8 +18,7 @@ constexpr double kBinM = 0.1;           // of arc length
 constexpr int kSmoothingBins = 3;       // to either side
 constexpr double kSlopeM = 0.1;         // to either side
 constexpr std::size_t kPointsMin = 20;  // on either wall
-constexpr double kNearestShare =
-    0.15;  // of the points of a wall that may be nearer by their errors
+constexpr double kNearestShare = 0.02;  // of the points of a wall, nearer by their errors
 
 int bin_of(double s_m) { return static_cast<int>(std::floor(s_m / kBinM)); }
 

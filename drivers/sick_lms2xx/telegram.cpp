@@ -35,8 +35,13 @@ std::uint16_t lms_checksum(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> encode_lms_telegram(std::span<const std::uint8_t> content) {
-  std::vector<std::uint8_t> bytes{kStx, 0, low(content.size()), high(content.size())};
-  bytes.insert(bytes.end(), content.begin(), content.end());
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(kHeaderBytes + content.size() + kChecksumBytes);
+  for (const std::uint8_t byte :
+       {kStx, std::uint8_t{0}, low(content.size()), high(content.size())}) {
+    bytes.push_back(byte);
+  }
+  for (const std::uint8_t byte : content) bytes.push_back(byte);
   const std::uint16_t sum = lms_checksum(bytes);
   bytes.push_back(low(sum));
   bytes.push_back(high(sum));

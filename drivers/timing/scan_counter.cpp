@@ -8,12 +8,13 @@
 namespace adit {
 namespace {
 
-// A scan may arrive before the line of the filter by this share of the period: the line is an
-// estimate.
-constexpr double kEarlyMax = 0.15;
-
 // Until then the least delay is not known, and an early scan moves the line.
 constexpr std::int64_t kSettlingUs = 2'000'000;
+
+// A scan may arrive before the line of the filter by this share of the period: the line is an
+// estimate.
+constexpr double kEarlyMax = 0.05;
+constexpr double kEarlyMaxSettling = 0.15;
 
 // So many scans that contradict the phase are right, and the phase is wrong.
 constexpr int kContradictionsMax = 8;
@@ -30,10 +31,12 @@ std::int64_t ScanCounter::device_us(std::int64_t scan) const {
 
 /// The last scan that can have arrived by now.
 std::int64_t ScanCounter::scan_at(std::int64_t arrival_us) const {
+  const double early_max =
+      arrival_us - first_arrival_us_ > kSettlingUs ? kEarlyMax : kEarlyMaxSettling;
   const double since_last_us = static_cast<double>(arrival_us) -
                                clock_.arrival_us(static_cast<double>(device_us(last_scan_)));
   return last_scan_ +
-         static_cast<std::int64_t>(std::floor(since_last_us / period_us() + kEarlyMax));
+         static_cast<std::int64_t>(std::floor(since_last_us / period_us() + early_max));
 }
 
 std::optional<std::int64_t> ScanCounter::arrival_us(std::int64_t arrival_us,

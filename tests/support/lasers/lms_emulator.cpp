@@ -215,7 +215,6 @@ void LmsEmulator::measure(std::int64_t until) {
       continue;
     const int scan = static_cast<int>(starts_.size());
     starts_.push_back(std::llround(start_us));
-    ++scans_sent_;
     enqueue(scan_telegram(scan), end + std::llround(1e6 * params_.processing_s), 0);
     return;
   }

@@ -50,9 +50,9 @@ class LmsEmulator {
   /// of the laser, arbitrary bytes.
   std::vector<TimedByte> advance(std::int64_t utime, int host_baud);
 
-  /// Time of the first beam of each scan that was sent, by its number [µs].
+  /// Time of the first beam of each scan since the field of view was set, by its number [µs].
   [[nodiscard]] std::int64_t scan_start(int scan) const;
-  [[nodiscard]] int scans_sent() const { return scans_sent_; }
+  [[nodiscard]] int scans_sent() const { return static_cast<int>(starts_.size()); }
   [[nodiscard]] int baud() const { return baud_; }
   [[nodiscard]] int configurations_written() const { return configurations_written_; }
   [[nodiscard]] int field_of_view_deg() const { return field_of_view_deg_; }
@@ -94,7 +94,6 @@ class LmsEmulator {
   std::int64_t mirror_zero_ = 0;  ///< when the mirror began to turn
   std::int64_t next_scan_ = 0;    ///< that ends after the last call
   std::vector<std::int64_t> starts_;
-  int scans_sent_ = 0;
   int configurations_written_ = 0;
 };
 

@@ -165,7 +165,7 @@ void LmsSession::tick(std::int64_t now_us) {
 /// There is no answer, or no scan.
 void LmsSession::repeat_or_search(std::int64_t now_us) {
   if (step_ == Step::kStream) {
-    search(now_us, "no scan arrived");
+    search(now_us, "it stopped sending");
   } else if (step_ == Step::kFind && !(sends_scans_ && attempts_ < kAttempts)) {
     bauds_.pop_front();
     if (bauds_.empty()) {

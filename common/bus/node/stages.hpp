@@ -27,7 +27,7 @@ inline constexpr const char* kViewerSection = "viewer";
 /// The drivers of lasers in drivers/; each runs once for each laser of its kind, with a section of
 /// its own, <driver>_front or <driver>_rear.
 inline const std::vector<std::string>& laser_driver_names() {
-  static const std::vector<std::string> names{"sick_lms2xx"};
+  static const std::vector<std::string> names{"sick_lms2xx", "scip"};
   return names;
 }
 

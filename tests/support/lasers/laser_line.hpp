@@ -10,8 +10,6 @@
 
 #include "drivers/laser/laser_device.hpp"
 
-#include "tests/support/lasers/lms_emulator.hpp"
-
 namespace adit {
 
 /// A driver and an emulated laser on one line, in simulated time: bytes arrive at the driver when

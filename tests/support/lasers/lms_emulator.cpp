@@ -220,7 +220,7 @@ void LmsEmulator::measure(std::int64_t until) {
   }
 }
 
-std::vector<LmsEmulator::TimedByte> LmsEmulator::advance(std::int64_t utime, int host_baud) {
+std::vector<TimedByte> LmsEmulator::advance(std::int64_t utime, int host_baud) {
   if (!is_on_) return {};
   if (!announced_ && utime >= booted_) {
     announced_ = true;

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/lasers/timed_byte.hpp"
+
 namespace adit {
 
 /// A SICK LMS-200 as its telegram listing describes it (SICK 8007954, "Telegrams for configuring
@@ -28,12 +30,6 @@ class LmsEmulator {
 
   /// Reading of a beam, 13 bits. `scan`: number of the scan.
   using Reading = std::function<std::uint16_t(int scan, int beam)>;
-
-  /// A byte on the line, and when its last bit arrives [µs].
-  struct TimedByte {
-    std::int64_t utime = 0;
-    std::uint8_t byte = 0;
-  };
 
   LmsEmulator(Params params, Reading reading);
 

@@ -36,7 +36,7 @@ if (($#)); then
   sources=("$@")
   tidied=("$@")
 else
-  mapfile -t sources < <(find common procs sim tools viewer tests -name '*.[hc]pp' | sort)
+  mapfile -t sources < <(find common procs drivers sim tools viewer tests -name '*.[hc]pp' | sort)
   mapfile -t tidied < <(sed -n 's|^  "file": "\(.*\)"$|\1|p' "$build/compile_commands.json" |
     grep -v -e "^$root/tests/" -e "^$build/tests/" -e precompiled -e cmake_pch)
 fi

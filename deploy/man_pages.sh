@@ -41,7 +41,7 @@ help_page() {
   sed -e '1d' -e '/^Usage: /d' <<<"$help" | verbatim
 }
 
-commands_of_adit() { "$bin/adit" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\) .*/\1/p'; }
+commands_of_adit() { "$bin/adit" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z-]\+\) .*/\1/p'; }
 
 for program in "$bin"/adit*; do
   name=${program##*/}

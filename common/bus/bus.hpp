@@ -89,6 +89,10 @@ class Bus {
     create_timer(period_us, std::move(handler));
   }
 
+  /// Calls the handler whenever this descriptor of a device is readable, while the bus lives. A
+  /// replay or a test has no devices and never calls it.
+  virtual void watch(int /*descriptor*/, std::function<void()> /*handler*/) {}
+
   /// Bus time [µs since the epoch].
   [[nodiscard]] virtual std::int64_t now_utime() const = 0;
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,9 @@ class ForwardingBus : public Bus {
   }
   void create_wall_timer(std::int64_t period_us, TimerHandler handler) override {
     bus_.create_wall_timer(period_us, std::move(handler));
+  }
+  void watch(int descriptor, std::function<void()> handler) override {
+    bus_.watch(descriptor, std::move(handler));
   }
   [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override {

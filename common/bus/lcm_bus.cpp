@@ -3,7 +3,6 @@
 #include "common/bus/lcm_bus.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <stdexcept>
@@ -67,17 +66,21 @@ void LcmBus::run(int stop_descriptor) {
   }
 }
 
-/// Blocks until a message, a timer or the stop descriptor is ready. Returns false if
-/// `stop_descriptor` is readable.
+/// Blocks until a message, a timer, a device or the stop descriptor is ready, and runs the handlers
+/// of devices. Returns false if `stop_descriptor` is readable.
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   const std::int64_t timeout_us = timeout_ms * 1000LL;
   const auto timer_ms = static_cast<int>(
       std::min<std::int64_t>((time_to_next_timer_us(timeout_us) + 999) / 1000, timeout_ms));
-  std::array<pollfd, 2> descriptors{{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}}};
+  std::vector<pollfd> descriptors{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}};
+  for (const auto& [descriptor, handler] : watched_) descriptors.push_back({descriptor, POLLIN, 0});
   const int ready =
       poll(descriptors.data(), descriptors.size(), dispatcher_.is_idle() ? timer_ms : 0);
   if (ready < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
   if (ready < 0 || descriptors[0].revents != 0) drain_lcm_queue();
+  for (std::size_t i = 2; ready > 0 && i < descriptors.size(); ++i) {
+    if (descriptors[i].revents != 0) watched_[i - 2].second();
+  }
   return ready <= 0 || descriptors[1].revents == 0;
 }
 
@@ -192,6 +195,10 @@ SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Ha
 
 void LcmBus::create_timer(std::int64_t period_us, TimerHandler handler) {
   timers_.add(period_us, std::move(handler));
+}
+
+void LcmBus::watch(int descriptor, std::function<void()> handler) {
+  watched_.emplace_back(descriptor, std::move(handler));
 }
 
 void LcmBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {

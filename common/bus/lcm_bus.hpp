@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "common/bus/bus.hpp"
 #include "common/bus/dispatcher.hpp"
@@ -65,6 +68,7 @@ class LcmBus final : public Bus {
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
   void create_timer(std::int64_t period_us, TimerHandler handler) override;
   void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
+  void watch(int descriptor, std::function<void()> handler) override;
   [[nodiscard]] std::int64_t now_utime() const override;
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
@@ -89,6 +93,7 @@ class LcmBus final : public Bus {
   std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;
+  std::vector<std::pair<int, std::function<void()>>> watched_;  // descriptors of devices
   Timers wall_timers_;  // with simulated time only; otherwise `timers_` has all timers
   std::set<std::string, std::less<>> channels_;
   std::set<int> sockets_;  // on which LCM receives

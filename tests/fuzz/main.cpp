@@ -3,11 +3,13 @@
 // fuzz_inputs --cases N --seed S: mutates valid messages, logs and lines of text and passes them to
 // the parsers of external input. A crash, an exception, a hang or a sanitizer report fails the run,
 // and the failing case is printed. Cases depend only on the seed and their number.
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +24,7 @@ struct Options {
   std::int64_t cases = 1'000'000;
   std::int64_t from = 0;
   std::uint64_t seed = 1;
+  std::vector<std::string> targets;  ///< names; empty: all
 };
 
 struct OutcomeCounts {
@@ -74,8 +77,20 @@ bool samples_are_valid(const std::vector<Target>& targets) {
   return valid;
 }
 
+std::vector<Target> chosen_targets(const std::vector<std::string>& names) {
+  std::vector<Target> targets = all_targets();
+  std::erase_if(targets, [&names](const Target& target) {
+    return !names.empty() && std::ranges::find(names, target.name) == names.end();
+  });
+  return targets;
+}
+
 int run(const Options& options) {
-  const std::vector<Target> targets = all_targets();
+  const std::vector<Target> targets = chosen_targets(options.targets);
+  if (targets.empty()) {
+    std::fprintf(stderr, "there is no such target\n");
+    return 1;
+  }
   if (!samples_are_valid(targets)) return 1;
   std::vector<OutcomeCounts> all_outcome_counts(targets.size());
   const auto start = std::chrono::steady_clock::now();
@@ -99,8 +114,11 @@ int main(int argc, char** argv) {
   app.add_option("--cases", options.cases, "Number of cases")->capture_default_str();
   app.add_option("--from", options.from, "Number of the first case")->capture_default_str();
   app.add_option("--seed", options.seed, "Random seed")->capture_default_str();
+  app.add_option("--targets", options.targets, "Only these, by their names in the table");
   CLI11_PARSE(app, argc, argv);
-  const std::string command = std::string(argv[0]) + " --seed " + std::to_string(options.seed);
+  std::string command = std::string(argv[0]) + " --seed " + std::to_string(options.seed);
+  if (!options.targets.empty()) command += " --targets";
+  for (const std::string& name : options.targets) command += " " + name;
   adit::fuzz::start_watchdog(command);
   return adit::fuzz::run(options);
 }

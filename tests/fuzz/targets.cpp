@@ -226,6 +226,7 @@ std::vector<Target> all_targets() {
   for (Target& target : world_targets()) targets.push_back(std::move(target));
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
   for (Target& target : viewer_targets()) targets.push_back(std::move(target));
+  for (Target& target : driver_targets()) targets.push_back(std::move(target));
   return targets;
 }
 

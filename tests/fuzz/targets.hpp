@@ -34,6 +34,7 @@ Target process_list_target();
 std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
 std::vector<Target> viewer_targets();
+std::vector<Target> driver_targets();
 
 /// All targets of all groups.
 std::vector<Target> all_targets();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/lcm_transport.hpp"
@@ -29,13 +30,20 @@ constexpr std::int64_t kWatchdogPeriodUs = 1'000'000;
 constexpr const char* kConfigVariable = "ADIT_CONFIG";
 
 struct Options {
+  std::string device;
   std::string config;
   std::string lcm_url;
   bool sim_time = false;
   bool print_config = false;
 };
 
-void declare(CLI::App& app, const std::string& program, Options& options) {
+void declare(CLI::App& app, const std::string& program, const std::vector<std::string>& devices,
+             Options& options) {
+  if (!devices.empty()) {
+    app.add_option("DEVICE", options.device, "Which device; the section of its name configures it")
+        ->check(CLI::IsMember(devices))
+        ->required();
+  }
   app.add_option("--config", options.config, "YAML file with one section per stage")
       ->type_name("FILE")
       ->envname(kConfigVariable);
@@ -97,19 +105,22 @@ void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Op
 
 }  // namespace
 
-int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv) try {
-  const std::string program = "adit-" + stage;
+int run_stage(const std::string& name, const std::vector<std::string>& devices,
+              const Configure& configure, int argc, char** argv) try {
+  const std::string program = "adit-" + name;
+  const std::string what = devices.empty() ? "stage " : "driver ";
   const auto app =
-      make_command_line("Runs the stage " + stage + " on LCM until SIGINT or SIGTERM.", program);
+      make_command_line("Runs the " + what + name + " on LCM until SIGINT or SIGTERM.", program);
   Options options;
-  declare(*app, program, options);
+  declare(*app, program, devices, options);
   if (const auto exit_code = parse_command_line(*app, argc, argv)) {
     finish_standard_output();
     return *exit_code;
   }
 
+  const std::string stage = devices.empty() ? name : name + "_" + options.device;
   const ConfigFile file = load(options.config, stage);
-  const ConfiguredNode node = configure(file);
+  const ConfiguredNode node = configure(file, stage);
   const auto seal = load_section<SealParams>(file, SealParams::kSection);
   if (options.print_config) {
     std::cout << node.yaml;
@@ -120,7 +131,7 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
   run_on_lcm(program, node, options, seal);
   return 0;
 } catch (const std::exception& error) {
-  print_error("adit-" + stage, error.what());
+  print_error("adit-" + name, error.what());
   return kExitUnusable;
 }
 

@@ -4,15 +4,20 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "common/bus/node/node_host.hpp"
 
 namespace adit {
 
-using Configure = std::function<ConfiguredNode(const ConfigFile&)>;
+/// A node of the stage with this name, with its parameters from the file.
+using Configure = std::function<ConfiguredNode(const ConfigFile&, const std::string& stage)>;
 
-/// The part of run_node that does not depend on the type of the node.
-int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv);
+/// The part of run_node that does not depend on the type of the node. With `devices` the program
+/// has an option that says for which of these it runs; the name of the stage is then
+/// `<stage>_<device>`, so that each has a section and a heartbeat.
+int run_stage(const std::string& stage, const std::vector<std::string>& devices,
+              const Configure& configure, int argc, char** argv);
 
 /// The `main` of a stage: loads --config, runs the node on LCM until SIGINT or SIGTERM and returns
 /// 0. Returns 2, with one line on stderr, for an error in the command line, configuration, device
@@ -20,8 +25,10 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
 /// a node.
 template <class Node>
 int run_node(const std::string& stage, int argc, char** argv) {
-  const auto configure = [&](const ConfigFile& file) { return configure_node<Node>(stage, file); };
-  return run_stage(stage, configure, argc, argv);
+  const auto configure = [](const ConfigFile& file, const std::string& name) {
+    return configure_node<Node>(name, file);
+  };
+  return run_stage(stage, {}, configure, argc, argv);
 }
 
 }  // namespace adit

@@ -83,4 +83,9 @@ void StageBus::create_timer(std::int64_t period_us, TimerHandler handler) {
   ForwardingBus::create_timer(period_us, contained(std::move(handler)));
 }
 
+void StageBus::watch(int descriptor, std::function<void()> handler) {
+  ForwardingBus::watch(descriptor,
+                       [this, handler = std::move(handler)] { contain("a device", handler); });
+}
+
 }  // namespace adit

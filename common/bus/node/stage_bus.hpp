@@ -55,6 +55,7 @@ class StageBus final : public ForwardingBus {
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
   void create_timer(std::int64_t period_us, TimerHandler handler) override;
   void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
+  void watch(int descriptor, std::function<void()> handler) override;
 
  private:
   Handler with_timing(Handler handler);

@@ -24,8 +24,15 @@ inline constexpr const char* kSimSection = "sim";
 /// The section of the viewer, a process that is not a stage.
 inline constexpr const char* kViewerSection = "viewer";
 
-/// All sections of the configuration file: those of the stages, the shared ones, the simulator's
-/// and the viewer's.
+/// The drivers of lasers in drivers/; each runs once for each laser of its kind, with a section of
+/// its own, <driver>_front or <driver>_rear.
+inline const std::vector<std::string>& laser_driver_names() {
+  static const std::vector<std::string> names{"sick_lms2xx", "scip"};
+  return names;
+}
+
+/// All sections of the configuration file: those of the stages, the shared ones, the simulator's,
+/// the viewer's and those of the drivers.
 inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);
@@ -33,6 +40,9 @@ inline std::vector<std::string> config_sections() {
   names.emplace_back(SealParams::kSection);
   names.emplace_back(kSimSection);
   names.emplace_back(kViewerSection);
+  for (const std::string& driver : laser_driver_names()) {
+    for (const char* laser : {"front", "rear"}) names.push_back(driver + "_" + laser);
+  }
   return names;
 }
 

@@ -27,6 +27,7 @@ const fs::path kRoot = ADIT_SOURCE_DIR;
 std::vector<std::string> our_programs() {
   std::vector<std::string> names{"adit", "adit-record"};
   for (const std::string& stage : stage_names()) names.push_back("adit-" + stage);
+  for (const std::string& driver : laser_driver_names()) names.push_back("adit-" + driver);
   return names;
 }
 
@@ -84,6 +85,31 @@ TEST(ProcessLists, UseLivenessChannelsThatArePublishedWithoutInput) {
   }
   EXPECT_THAT(channels, testing::IsSubsetOf({"DRIVING_STATE", "PHASE"}));
   EXPECT_FALSE(channels.empty());
+}
+
+/// Text in which what is commented out by "#  " counts.
+std::string with_comments_removed(const fs::path& path, const std::string& mark) {
+  std::ifstream file(path);
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    text += (line.starts_with(mark) ? line.substr(1) : line) + "\n";
+  }
+  return text;
+}
+
+TEST(ProcessLists, HaveRowsOfDriversThatOnlyNeedTheirCommentSignsRemoved) {
+  const ProcessList list = parse_process_list(
+      with_comments_removed(kRoot / "deploy/processes/robot.cfg", "#  "), "robot.cfg");
+  for (const std::string id : {"laser_front", "laser_rear"}) {
+    const ListedCommand* const command = list.find(id);
+    ASSERT_NE(command, nullptr) << id;
+    ASSERT_TRUE(command->alive) << id;
+    const auto words = parse_command_line(command->exec)->arguments;
+    EXPECT_THAT(our_programs(), testing::Contains(words.front()));
+    const std::string section = words.at(0).substr(5) + "_" + words.at(1);
+    EXPECT_THAT(config_sections(), testing::Contains(section));
+    EXPECT_EQ(command->alive->channel, words.at(1) == "front" ? "LASER_FRONT" : "LASER_REAR");
+  }
 }
 
 /// The first row of a channel in the table of lcmtypes, in columns.

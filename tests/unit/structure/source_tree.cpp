@@ -19,7 +19,7 @@ std::string text_of(const fs::path& path) {
 
 std::vector<fs::path> source_files() {
   std::vector<fs::path> paths;
-  for (const char* folder : {"common", "procs", "sim", "tools", "viewer", "tests"}) {
+  for (const char* folder : {"common", "procs", "drivers", "sim", "tools", "viewer", "tests"}) {
     if (!fs::is_directory(source_root() / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(source_root() / folder)) {
       const auto extension = entry.path().extension();

@@ -106,11 +106,13 @@ TEST(Structure, DependenciesFollowTheLayers) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const bool of_tools =
                     include.is_of("tools") || include.is_of("viewer") || include.is_of("tests");
-                const bool of_ends = include.is_of("procs") || include.is_of("sim") || of_tools;
+                const bool of_ends = include.is_of("procs") || include.is_of("drivers") ||
+                                     include.is_of("sim") || of_tools;
                 return (include.is_in("common") && of_ends) ||
+                       (include.is_in("drivers") && of_ends && !include.is_of("drivers")) ||
                        (include.is_in("viewer") && of_ends && !include.is_of("viewer")) ||
-                       (include.is_in("procs") && (include.is_of("sim") || of_tools)) ||
-                       (include.is_in("sim") && (include.is_of("procs") || of_tools)) ||
+                       (include.is_in("procs") && of_ends && !include.is_of("procs")) ||
+                       (include.is_in("sim") && of_ends && !include.is_of("sim")) ||
                        (include.is_in("tools") && include.is_of("tests"));
               }),
               IsEmpty());
@@ -124,6 +126,37 @@ TEST(Structure, AlgorithmsDoNotIncludeTransport) {
                     include.file.ends_with("_journal.cpp") && include.is_of("common/messages");
                 return include.is_in("procs") && !may && !stores_messages &&
                        (include.is_of("common/bus") || include.is_of("common/messages"));
+              }),
+              IsEmpty());
+}
+
+/// What all drivers share: the folders of drivers/ that are no driver.
+bool is_shared_by_drivers(const std::string& path) {
+  return path.starts_with("drivers/laser/") || path.starts_with("drivers/ports/") ||
+         path.starts_with("drivers/timing/");
+}
+
+TEST(Structure, DriversDoNotIncludeEachOther) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const std::string driver = include.file.substr(0, include.file.find('/', 8));
+                return include.is_in("drivers") && include.is_of("drivers") &&
+                       !include.is_of(driver) && !is_shared_by_drivers(include.what.substr(1));
+              }),
+              IsEmpty());
+}
+
+/// A protocol is tested and fuzzed without a device, so that it has neither port, bus nor clock.
+TEST(Structure, ProtocolsOfDriversDoNotIncludeTransportOrPorts) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const bool may = is_node_file(include.file) ||
+                                 include.file.ends_with("/main.cpp") ||
+                                 include.is_in("drivers/ports");
+                const bool of_messages = include.is_of("common/messages") &&
+                                         include.what != "\"common/messages/result.hpp\"";
+                return include.is_in("drivers") && !may &&
+                       (include.is_of("common/bus") || of_messages ||
+                        include.is_of("common/service") || include.is_of("drivers/ports") ||
+                        include.what.starts_with("<sys/") || include.what == "<termios.h>");
               }),
               IsEmpty());
 }

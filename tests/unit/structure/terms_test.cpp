@@ -106,8 +106,8 @@ std::vector<fs::path> texts() {
   for (const char* name : {"README.md", "CONTRIBUTING.md"}) {
     paths.push_back(adit::source_root() / name);
   }
-  for (const char* folder : {"common", "procs", "sim", "tools", "viewer", "tests", "lcmtypes",
-                             "deploy", "docs", "cmake"}) {
+  for (const char* folder : {"common", "procs", "drivers", "sim", "tools", "viewer", "tests",
+                             "lcmtypes", "deploy", "docs", "cmake"}) {
     auto entries = fs::recursive_directory_iterator(adit::source_root() / folder);
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename().string();

@@ -72,6 +72,24 @@ TEST_F(LcmBusTest, DropsTheOldestOfAFullQueueAndCountsThem) {
   EXPECT_EQ(bus_.stats(id).dropped, 98);
 }
 
+TEST_F(LcmBusTest, CallsTheHandlerOfADeviceThatIsReadable) {
+  std::array<int, 2> pipe_ends{};
+  ASSERT_EQ(pipe(pipe_ends.data()), 0);
+  std::string read_bytes;
+  bus_.watch(pipe_ends[0], [&] {
+    char byte = 0;
+    if (read(pipe_ends[0], &byte, 1) == 1) read_bytes += byte;
+  });
+  bus_.handle(0);
+  EXPECT_EQ(read_bytes, "");
+  ASSERT_EQ(write(pipe_ends[1], "ab", 2), 2);
+  bus_.handle(1000);
+  bus_.handle(1000);
+  bus_.handle(0);
+  EXPECT_EQ(read_bytes, "ab");
+  for (const int end : pipe_ends) close(end);
+}
+
 TEST_F(LcmBusTest, RejectsOversizedMessages) {
   const auto id = bus_.subscribe("POSE", Delivery::queued(2), record_messages());
   bus_.publish("POSE", std::vector<std::uint8_t>(17));

@@ -130,6 +130,26 @@ TEST(RunNode, PrintsVersionAndHelp) {
   EXPECT_THAT(help.out, HasSubstr("--lcm-url"));
 }
 
+TEST(RunNode, RunsADriverForTheDeviceOfItsArgument) {
+  const auto run = [](std::vector<std::string> words) {
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    const auto configure = [](const ConfigFile& file, const std::string& stage) {
+      return configure_node<TerminatingNode>(stage, file);
+    };
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int code = run_stage("sick_lms2xx", {"front", "rear"}, configure,
+                               static_cast<int>(argv.size()), argv.data());
+    const std::string out = testing::internal::GetCapturedStdout();
+    const std::string error = testing::internal::GetCapturedStderr();
+    return std::to_string(code) + " " + out + error;
+  };
+  EXPECT_THAT(run({"driver", "rear", "--print-config"}), StartsWith("0 sick_lms2xx_rear:"));
+  EXPECT_THAT(run({"driver", "--print-config"}), StartsWith("2 adit-sick_lms2xx: DEVICE"));
+  EXPECT_THAT(run({"driver", "left", "--print-config"}), HasSubstr("left"));
+}
+
 TEST(RunNode, ReportsNetworkErrors) {
   const Outcome outcome = run<TerminatingNode>({"--lcm-url", "nonsense://"});
   EXPECT_EQ(outcome.exit_code, 2);

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/campaign/campaign_run.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/config/config_file.hpp"
+#include "common/files/file_error.hpp"
+#include "common/files/locked_file.hpp"
+#include "tools/campaign/definition/campaign_definition.hpp"
+#include "tools/campaign/definition/campaign_plan.hpp"
+#include "tools/campaign/results/result_table.hpp"
+#include "tools/campaign/results/stopping_rule.hpp"
+#include "tools/campaign/run/campaign_folder.hpp"
+#include "tools/campaign/run/local_runner.hpp"
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
+
+int jobs_of(const CampaignOptions& options, const CampaignDefinition& definition) {
+  if (options.jobs > 0) return options.jobs;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / definition.cores);
+}
+
+/// Attempts of runs that were killed. None can run while this computer holds the campaign and no
+/// cluster works on it.
+void remove_old_attempts(const CampaignFolder& folder) {
+  for (const auto& entry : fs::directory_iterator(folder.units())) {
+    if (entry.path().filename().string().starts_with('.')) fs::remove_all(entry.path());
+  }
+}
+
+class CampaignRun {
+ public:
+  CampaignRun(const CampaignOptions& options, CampaignDefinition definition, CampaignPlan plan)
+      : options_(options),
+        definition_(std::move(definition)),
+        plan_(std::move(plan)),
+        folder_{fs::absolute(options.folder)},
+        lock_(folder_.lock()),
+        table_(folder_, definition_, plan_, options.file.string()),
+        rule_(definition_, table_.database()) {}
+
+  CampaignResult run(const std::function<void(const CampaignProgress&)>& progress) {
+    write_plan(plan_, folder_.plan());
+    table_.synchronize(plan_);
+    CampaignResult result;
+    result.stopped_after = rule_.update();
+    if (!result.stopped_after) {
+      result.interrupted = !run_missing(progress);
+      result.stopped_after = rule_.update();
+    }
+    result.units = result.stopped_after.value_or(static_cast<int>(plan_.units.size()));
+    table_.limit_rows(result.units);
+    result.with_result = count_results();
+    result.rates = measure_rates(definition_, table_.database());
+    return result;
+  }
+
+ private:
+  bool run_missing(const std::function<void(const CampaignProgress&)>& progress) {
+    const std::vector<const CampaignUnit*> missing = table_.units_without_result(plan_);
+    CampaignProgress state;
+    state.to_run = static_cast<int>(missing.size());
+    const auto on_result = [&](const CampaignUnit& unit, const UnitResult& result) {
+      table_.add(unit, result);
+      ++state.run;
+      state.failed += result.state != UnitState::kEnded;
+      if (progress) progress(state);
+      return !rule_.update();
+    };
+    remove_old_attempts(folder_);
+    LocalRunner runner;
+    runner.jobs = jobs_of(options_, definition_);
+    runner.stop_descriptor = options_.stop_descriptor;
+    if (!options_.programs.empty()) runner.watcher = options_.programs / "adit-watch";
+    return runner.run(plan_, missing, folder_, on_result);
+  }
+
+  int count_results() {
+    SqlStatement count =
+        table_.database().prepare("SELECT count(*) FROM campaign WHERE state IS NOT NULL");
+    count.step();
+    return static_cast<int>(count.integer(0));
+  }
+
+  const CampaignOptions& options_;
+  CampaignDefinition definition_;
+  CampaignPlan plan_;
+  CampaignFolder folder_;
+  LockedFile lock_;
+  ResultTable table_;
+  StoppingRule rule_;
+};
+
+}  // namespace
+
+bool CampaignResult::succeeded() const {
+  return is_complete() && std::ranges::none_of(rates, [](const Rate& rate) {
+           return rate.verdict() == RateVerdict::kNotMet;
+         });
+}
+
+CampaignResult run_campaign(const CampaignOptions& options,
+                            const std::function<void(const CampaignProgress&)>& progress,
+                            const std::function<void(const std::string&)>& notify) {
+  (void)notify;
+  const ConfigFile file = ConfigFile::load(options.file);
+  CampaignDefinition definition = load_campaign(file);
+  const fs::path folder = folder_of(options.file);
+  CampaignPlan plan =
+      make_plan(definition, expand_matrix(file, folder), options.file.string(), folder,
+                options.programs.empty() ? own_program_folder() : options.programs);
+  fs::create_directories(CampaignFolder{options.folder}.units());
+  return CampaignRun(options, std::move(definition), std::move(plan)).run(progress);
+}
+
+bool run_campaign_unit(const fs::path& folder_path, const std::string& id, int stop_descriptor) {
+  const CampaignFolder folder{fs::absolute(folder_path)};
+  if (fs::exists(folder.result(id))) return true;
+  const CampaignPlan plan = read_plan(folder.plan(), id);
+  LocalRunner runner;
+  runner.stop_descriptor = stop_descriptor;
+  return runner.run(plan, {&plan.units.front()}, folder,
+                    [](const auto&, const auto&) { return true; });
+}
+
+}  // namespace adit

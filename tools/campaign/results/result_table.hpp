@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/campaign/definition/campaign_definition.hpp"
+#include "tools/campaign/definition/campaign_plan.hpp"
+#include "tools/campaign/results/database.hpp"
+#include "tools/campaign/run/campaign_folder.hpp"
+#include "tools/campaign/run/unit_result.hpp"
+
+namespace adit {
+
+/// The results of a campaign in SQLite. The table `units` has the units of the plan, `results` how
+/// they ended, by id, also those of earlier plans. The view `campaign` joins them: one row for each
+/// unit that counts, with a column for each parameter and score; its columns state to host are null
+/// for a unit without a result.
+class ResultTable {
+ public:
+  /// Opens or creates the table, and replaces the plan. Throws FileError, and ConfigError for an
+  /// expression of the definition that SQLite does not understand.
+  ResultTable(const CampaignFolder& folder, const CampaignDefinition& definition,
+              const CampaignPlan& plan, const std::string& file);
+
+  /// Reads the results of units that have ended but have none in the table, as after a kill.
+  /// Forgets results of limits that were smaller than now, and reads scores again if other ones are
+  /// asked for.
+  void synchronize(const CampaignPlan& plan);
+
+  /// Adds the result with its scores.
+  void add(const CampaignUnit& unit, UnitResult result);
+
+  [[nodiscard]] std::vector<const CampaignUnit*> units_without_result(const CampaignPlan& plan);
+
+  /// Only the first `count` units are rows of the view from now on.
+  void limit_rows(int count);
+
+  [[nodiscard]] Database& database() { return database_; }
+
+ private:
+  void create_tables();
+  void replace_units(const CampaignPlan& plan);
+  void create_view(const CampaignPlan& plan);
+  void check_expressions(const std::string& file);
+  void forget_exceeded_limits(const CampaignPlan& plan);
+  void set_text(const std::string& key, const std::string& value);
+  std::string text_of(const std::string& key);
+
+  CampaignFolder folder_;
+  CampaignDefinition definition_;
+  Database database_;
+};
+
+/// The columns of the view before parameters and scores; none of these can have such a name.
+const std::vector<std::string>& reserved_columns();
+
+}  // namespace adit

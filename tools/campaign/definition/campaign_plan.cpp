@@ -3,6 +3,7 @@
 #include "tools/campaign/definition/campaign_plan.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -167,15 +168,15 @@ void shuffle_by_parameters(std::vector<CampaignUnit>& units) {
   units = std::move(shuffled);
 }
 
-std::string quoted_word(const std::string& word) {
+}  // namespace
+
+std::string shell_word(const std::string& word) {
   const bool is_plain = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
     return std::isalnum(c) != 0 ||
            std::string_view("_-./:=,+@%").find(static_cast<char>(c)) != std::string_view::npos;
   });
   return is_plain ? word : fmt::format("'{}'", replaced(word, "'", "'\\''"));
 }
-
-}  // namespace
 
 fs::path own_program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
@@ -218,9 +219,11 @@ std::vector<std::string> with_output(const std::vector<std::string>& arguments,
 }
 
 std::string shell_line(const CampaignPlan& plan, const CampaignUnit& unit, const std::string& out) {
-  std::string line = "cd " + quoted_word(plan.folder.string()) + " &&";
-  for (const auto& [name, value] : unit.environment) line += fmt::format(" {}={}", name, quoted_word(value));
-  for (const std::string& word : with_output(unit.arguments, out)) line += fmt::format(" {}", quoted_word(word));
+  std::string line = "cd " + shell_word(plan.folder.string()) + " &&";
+  for (const auto& [name, value] : unit.environment)
+    line += fmt::format(" {}={}", name, shell_word(value));
+  for (const std::string& word : with_output(unit.arguments, out))
+    line += fmt::format(" {}", shell_word(word));
   return line;
 }
 

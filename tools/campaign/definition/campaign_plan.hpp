@@ -50,6 +50,9 @@ CampaignPlan make_plan(const CampaignDefinition& campaign,
 std::vector<std::string> with_output(const std::vector<std::string>& arguments,
                                      const std::string& out);
 
+/// The word in quotes for a shell, if it needs them.
+std::string shell_word(const std::string& word);
+
 /// The unit as a line for a shell in any folder; its output goes to `out`.
 std::string shell_line(const CampaignPlan& plan, const CampaignUnit& unit, const std::string& out);
 

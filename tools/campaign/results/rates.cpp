@@ -37,13 +37,14 @@ RateVerdict Rate::verdict() const {
   return within ? RateVerdict::kShown : RateVerdict::kMet;
 }
 
-std::vector<Rate> measure_rates(const CampaignDefinition& definition, Database& database) {
+std::vector<Rate> measure_rates(const CampaignDefinition& definition, Database& database,
+                                const std::string& view) {
   std::vector<Rate> rates;
   for (const RateDefinition& rate : definition.rates) {
     SqlStatement counts = database.prepare(
         fmt::format("SELECT sum(c = 1), sum(c = 0), sum(c IS NULL) FROM "
-                    "(SELECT ({}\n) <> 0 AS c FROM campaign WHERE state IS NOT NULL AND {})",
-                    rate.condition, given_of(rate)));
+                    "(SELECT ({}\n) <> 0 AS c FROM {} WHERE state IS NOT NULL AND {})",
+                    rate.condition, view, given_of(rate)));
     counts.step();
     const auto count = [&](int column) { return static_cast<int>(counts.integer(column)); };
     rates.push_back({rate, {count(0), count(1), count(2)}});

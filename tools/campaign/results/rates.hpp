@@ -42,8 +42,9 @@ struct Rate {
   [[nodiscard]] RateVerdict verdict() const;
 };
 
-/// All rates over the units that have a result.
-std::vector<Rate> measure_rates(const CampaignDefinition& definition, Database& database);
+/// All rates over the units that have a result, in a view like `campaign`.
+std::vector<Rate> measure_rates(const CampaignDefinition& definition, Database& database,
+                                const std::string& view = "campaign");
 
 /// SQL expression that is true for a unit that counts against the bounds of the rate, false
 /// otherwise; empty for a rate without bounds.

@@ -68,7 +68,8 @@ ResultTable::ResultTable(const CampaignFolder& folder, const CampaignDefinition&
   SqlTransaction transaction(database_);
   create_tables();
   replace_units(plan);
-  create_view(plan);
+  name_columns(plan);
+  database_.execute("DROP VIEW IF EXISTS campaign; CREATE VIEW campaign AS " + view_text(""));
   limit_rows(static_cast<int>(plan.units.size()));
   set_text("name", definition.name);
   check_expressions(file);
@@ -90,23 +91,30 @@ void ResultTable::replace_units(const CampaignPlan& plan) {
   }
 }
 
-void ResultTable::create_view(const CampaignPlan& plan) {
+void ResultTable::name_columns(const CampaignPlan& plan) {
   std::set<std::string> used(reserved_columns().begin(), reserved_columns().end());
-  std::string columns;
   const auto add = [&](const std::string& source, const std::string& name) {
     if (!used.insert(name).second)
       throw ConfigError(fmt::format(
           "the name {} is used twice: by a parameter, a score or a column of all campaigns", name));
-    columns += fmt::format(", json_extract({}, '$.{}') AS \"{}\"", source, name, name);
+    columns_ += fmt::format(", json_extract({}, '$.{}') AS \"{}\"", source, name, name);
   };
   for (const std::string& name : parameter_names(plan)) add("parameters", name);
   for (const ScoreDefinition& score : definition_.scores) add("scores", score.name);
-  database_.execute("DROP VIEW IF EXISTS campaign");
-  database_.execute(fmt::format(
-      "CREATE VIEW campaign AS SELECT number AS unit, id, parameters, command, state, reason, "
-      "exit_code, began_utime, wall_s, cpu_s, memory_mb, host{} FROM units LEFT JOIN results USING "
-      "(id) WHERE number <= (SELECT value FROM settings WHERE key = 'rows')",
-      columns));
+}
+
+std::string ResultTable::view_text(const std::string& schema) const {
+  return fmt::format(
+      "SELECT number AS unit, id, parameters, command, state, reason, exit_code, began_utime, "
+      "wall_s, "
+      "cpu_s, memory_mb, host{1} FROM {0}units LEFT JOIN {0}results USING (id) WHERE number <= "
+      "(SELECT value FROM {0}settings WHERE key = 'rows')",
+      schema, columns_);
+}
+
+void ResultTable::create_view_of(const std::string& schema, const std::string& view) {
+  database_.execute(fmt::format("DROP VIEW IF EXISTS {0}; CREATE TEMP VIEW {0} AS {1}", view,
+                                view_text(schema + ".")));
 }
 
 void ResultTable::check_expressions(const std::string& file) {

@@ -38,12 +38,17 @@ class ResultTable {
   /// Only the first `count` units are rows of the view from now on.
   void limit_rows(int count);
 
+  /// Creates a temporary view with the columns of this campaign, of the results in another database
+  /// that is attached as `schema`.
+  void create_view_of(const std::string& schema, const std::string& view);
+
   [[nodiscard]] Database& database() { return database_; }
 
  private:
   void create_tables();
   void replace_units(const CampaignPlan& plan);
-  void create_view(const CampaignPlan& plan);
+  void name_columns(const CampaignPlan& plan);
+  [[nodiscard]] std::string view_text(const std::string& schema) const;
   void check_expressions(const std::string& file);
   void forget_exceeded_limits(const CampaignPlan& plan);
   void set_text(const std::string& key, const std::string& value);
@@ -52,6 +57,7 @@ class ResultTable {
   CampaignFolder folder_;
   CampaignDefinition definition_;
   Database database_;
+  std::string columns_;  ///< of parameters and scores, in SQL
 };
 
 /// The columns of the view before parameters and scores; none of these can have such a name.

@@ -67,7 +67,8 @@ class CampaignRun {
         plan_(std::move(plan)),
         folder_{fs::absolute(options.folder)},
         lock_(folder_.lock()),
-        table_(folder_, definition_, plan_, options.file.string()),
+        file_text_(read_text_file(options.file)),
+        table_(folder_, definition_, plan_, options.file.string(), file_text_),
         rule_(definition_, table_.database()) {}
 
   CampaignResult run(const Notify& progress, const Tell& notify) {
@@ -90,6 +91,7 @@ class CampaignRun {
  private:
   bool run_missing(const Notify& progress, const Tell& notify) {
     const std::vector<const CampaignUnit*> missing = table_.units_without_result(plan_);
+    table_.begin_run();
     CampaignProgress state;
     state.to_run = static_cast<int>(missing.size());
     const auto on_result = [&](const CampaignUnit& unit, const UnitResult& result) {
@@ -118,7 +120,7 @@ class CampaignRun {
   void write_page(const CampaignResult& result) {
     CampaignPage page = describe_campaign(definition_, table_.database());
     page.stopped_after = result.stopped_after;
-    page.file_text = read_text_file(options_.file);
+    page.file_text = file_text_;
     if (options_.compare) {
       page.compared_with = options_.compare->string();
       page.comparisons = compare_campaigns(table_, definition_, *options_.compare);
@@ -138,6 +140,7 @@ class CampaignRun {
   CampaignPlan plan_;
   CampaignFolder folder_;
   LockedFile lock_;
+  std::string file_text_;
   ResultTable table_;
   StoppingRule rule_;
 };

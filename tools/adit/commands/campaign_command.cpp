@@ -17,6 +17,8 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/campaign/campaign_run.hpp"
+#include "tools/campaign/campaign_status.hpp"
+#include "tools/report/text_format.hpp"
 
 namespace adit {
 namespace {
@@ -43,7 +45,7 @@ constexpr const char* kCampaignDetails =
     report: mission.html                  output to which the page links
     scores:                               columns of the table, from files of the unit
       - {name: outcome, file: summary.json, pointer: /mission/outcome}
-      - {name: rmse_m, file: summary.json, pointer: /truth/rmse_m}
+      - {name: rmse_m, file: summary.json, pointer: /against_truth/rmse_m}
     rates:                                what is asked for, as SQL expressions
       - {name: home, condition: outcome == "home", min: 0.99}
     distributions:
@@ -72,6 +74,14 @@ constexpr const char* kCampaignExamples =
   adit campaign random.yaml --out new --compare random   which units changed
   adit campaign status random                            while it runs
   sqlite3 random/campaign.db 'select seed, reason from campaign where state <> "ended"')";
+
+constexpr const char* kStatusDetails =
+    R"(Prints the units with a result, how they ended, the rates, and while the campaign runs the time to go at the
+pace since it was started. Reads DIR/campaign.db; changes nothing.)";
+
+constexpr const char* kRunUnitDetails =
+    R"(Runs the unit ID of DIR/plan.jsonl within the limits of the campaign, and writes DIR/units/ID with its result. Does
+nothing if it has a result. This is what each task of Slurm runs; adit campaign takes the result into its table.)";
 
 std::string rate_line(const Rate& rate) {
   const ShareInterval interval = rate.interval();
@@ -124,6 +134,18 @@ void run(const CampaignCommand& command) {
   if (!result.succeeded()) throw CLI::RuntimeError(kExitNotMet);
 }
 
+void print_status(const CampaignCommand& command) {
+  const CampaignStatus status = read_campaign_status(command.folder);
+  std::cout << message_line(fmt::format("{}: {} of {} units have a result, {}", status.name,
+                                        status.with_result, status.units,
+                                        status.is_running ? "running" : "not running"));
+  if (status.time_to_go_s) std::cout << ", " << duration_text(*status.time_to_go_s) << " to go";
+  std::cout << "\n";
+  for (const auto& [state, count] : status.states)
+    std::cout << fmt::format("  {}: {}\n", state, count);
+  for (const Rate& rate : status.rates) std::cout << message_line(rate_line(rate)) << "\n";
+}
+
 void run_unit(const CampaignCommand& command) {
   const StopSignal stop;
   if (!run_campaign_unit(command.folder, command.id, stop.descriptor()))
@@ -153,7 +175,14 @@ void add_campaign_command(CLI::App& adit) {
   command->add_option("--compare", options->compare, "Folder of an earlier campaign")
       ->type_name("DIR");
   command->require_subcommand(0, 1);
+  CLI::App* status = add_command(*command, "status", "Print how far a campaign is");
+  set_help(*status, {kStatusDetails, "", "  adit campaign status random"});
+  status->add_option("DIR", options->folder, "Folder of the campaign")
+      ->type_name("DIR")
+      ->required();
+  status->callback([options] { print_status(*options); });
   CLI::App* unit = add_command(*command, "run-unit", "Run one unit, as tasks of Slurm do");
+  set_help(*unit, {kRunUnitDetails, "", "  adit campaign run-unit random 2b3c51d11f2648ef"});
   unit->add_option("DIR", options->folder, "Folder of the campaign")->type_name("DIR")->required();
   unit->add_option("ID", options->id, "Name of the unit: its folder in DIR/units")
       ->type_name("NAME")

@@ -12,6 +12,7 @@
 
 #include "common/config/config.hpp"
 #include "common/files/file_error.hpp"
+#include "common/service/wall_time.hpp"
 #include "tools/campaign/results/unit_scores.hpp"
 
 namespace adit {
@@ -61,7 +62,8 @@ const std::vector<std::string>& reserved_columns() {
 }
 
 ResultTable::ResultTable(const CampaignFolder& folder, const CampaignDefinition& definition,
-                         const CampaignPlan& plan, const std::string& file)
+                         const CampaignPlan& plan, const std::string& file,
+                         const std::string& file_text)
     : folder_(folder),
       definition_(definition),
       database_(folder.database(), Database::Mode::kWrite) {
@@ -72,6 +74,7 @@ ResultTable::ResultTable(const CampaignFolder& folder, const CampaignDefinition&
   database_.execute("DROP VIEW IF EXISTS campaign; CREATE VIEW campaign AS " + view_text(""));
   limit_rows(static_cast<int>(plan.units.size()));
   set_text("name", definition.name);
+  set_text("file", file_text);
   check_expressions(file);
   transaction.commit();
 }
@@ -190,6 +193,14 @@ void ResultTable::add(const CampaignUnit& unit, UnitResult result) {
   insert.bind(9, result.host);
   insert.bind(10, scores.json);
   insert.step();
+}
+
+void ResultTable::begin_run() {
+  SqlStatement set = database_.prepare(
+      "INSERT OR REPLACE INTO settings VALUES ('run_began_utime', ?), ('run_began_with', (SELECT "
+      "count(*) FROM units JOIN results USING (id)))");
+  set.bind(0, wall_utime());
+  set.step();
 }
 
 std::vector<const CampaignUnit*> ResultTable::units_without_result(const CampaignPlan& plan) {

@@ -20,15 +20,19 @@ namespace adit {
 /// for a unit without a result.
 class ResultTable {
  public:
-  /// Opens or creates the table, and replaces the plan. Throws FileError, and ConfigError for an
+  /// Opens or creates the table, and replaces the plan. `file_text`: content of the campaign file
+  /// `file`. Throws FileError, and ConfigError for an
   /// expression of the definition that SQLite does not understand.
   ResultTable(const CampaignFolder& folder, const CampaignDefinition& definition,
-              const CampaignPlan& plan, const std::string& file);
+              const CampaignPlan& plan, const std::string& file, const std::string& file_text);
 
   /// Reads the results of units that have ended but have none in the table, as after a kill.
   /// Forgets results of limits that were smaller than now, and reads scores again if other ones are
   /// asked for.
   void synchronize(const CampaignPlan& plan);
+
+  /// Notes that a run of the campaign begins now, for the estimate of its duration.
+  void begin_run();
 
   /// Adds the result with its scores.
   void add(const CampaignUnit& unit, UnitResult result);

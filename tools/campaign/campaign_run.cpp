@@ -105,6 +105,7 @@ class CampaignRun {
       SlurmRunner runner;
       runner.programs = programs_of(options_);
       runner.cores = definition_.cores;
+      runner.jobs = options_.jobs;
       runner.stop_descriptor = options_.stop_descriptor;
       runner.notify = notify;
       return runner.run(plan_, missing, folder_, on_result);

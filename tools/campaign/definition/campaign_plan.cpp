@@ -175,7 +175,10 @@ std::string shell_word(const std::string& word) {
     return std::isalnum(c) != 0 ||
            std::string_view("_-./:=,+@%").find(static_cast<char>(c)) != std::string_view::npos;
   });
-  return is_plain ? word : fmt::format("'{}'", replaced(word, "'", "'\\''"));
+  if (is_plain) return word;
+  std::string quoted = "'";
+  quoted.append(replaced(word, "'", "'\\''"));
+  return quoted.append("'");
 }
 
 fs::path own_program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }

@@ -90,9 +90,13 @@ class MatrixReader {
     return all;
   }
 
-  Values values_of(const ConfigNode& node) const {
+  void require_name(const ConfigNode& node) const {
     if (!is_column_name(node.key) || node.key == "out")
       fail(node, "matrix." + node.key + " is not a name of letters a-z, 0-9 and _, or is out");
+  }
+
+  Values values_of(const ConfigNode& node) const {
+    require_name(node);
     Values values;
     if (node.kind == Kind::kScalar) values.push_back(scalar(node));
     for (const ConfigNode& child : node.children) {
@@ -176,7 +180,10 @@ class MatrixReader {
   UnitParameters parameters(const ConfigNode& map) const {
     if (map.kind != Kind::kMap) fail(map, "include and exclude are lists of maps");
     UnitParameters parameters;
-    for (const ConfigNode& child : map.children) parameters.set(child.key, scalar(child));
+    for (const ConfigNode& child : map.children) {
+      require_name(child);
+      parameters.set(child.key, scalar(child));
+    }
     return parameters;
   }
 

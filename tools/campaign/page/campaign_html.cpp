@@ -56,7 +56,7 @@ std::string rates_table(const std::vector<Rate>& rates) {
     const std::string given =
         definition.given.empty() ? "" : fmt::format(" of those with {}", definition.given);
     rows += fmt::format(
-        "<tr class=\"{}\"><th>{}<br><code>{}</code></th><td>{} of {}{}</td><td>{} %</td><td>{}</td>"
+        R"(<tr class="{}"><th>{}<br><code>{}</code></th><td>{} of {}{}</td><td>{} %</td><td>{}</td>)"
         "<td>{}</td><td>{}</td><td>{}</td></tr>\n",
         rate.verdict() == RateVerdict::kNotMet ? "bad" : "good", escaped(definition.name),
         escaped(definition.condition + given), rate.count(), rate.counts.total(),
@@ -100,7 +100,7 @@ std::string link(const CampaignFolder& folder, const std::filesystem::path& file
   std::error_code error;
   const bool is_there = std::filesystem::file_size(file, error) > 0 && !error;
   if (!is_there) return "";
-  return fmt::format("<a href=\"{}\">{}</a> ",
+  return fmt::format(R"(<a href="{}">{}</a> )",
                      escaped(file.lexically_relative(folder.path).generic_string()), escaped(text));
 }
 

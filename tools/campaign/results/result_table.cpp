@@ -44,9 +44,10 @@ std::vector<std::string> parameter_names(const CampaignPlan& plan) {
   return names;
 }
 
-std::string score_text(const std::vector<ScoreDefinition>& scores) {
-  std::string text;
-  for (const ScoreDefinition& score : scores) {
+/// What the row of a result depends on beside the result.
+std::string score_text(const CampaignDefinition& definition) {
+  std::string text = fmt::format("{}\n", fmt::join(definition.exit_codes, " "));
+  for (const ScoreDefinition& score : definition.scores) {
     text += fmt::format("{}\n{}\n{}\n{}\n", score.name, score.file, score.pointer, score.column);
   }
   return text;
@@ -100,7 +101,7 @@ void ResultTable::name_columns(const CampaignPlan& plan) {
     if (!used.insert(name).second)
       throw ConfigError(fmt::format(
           "the name {} is used twice: by a parameter, a score or a column of all campaigns", name));
-    columns_ += fmt::format(", json_extract({}, '$.{}') AS \"{}\"", source, name, name);
+    columns_ += fmt::format(R"(, json_extract({}, '$.{}') AS "{}")", source, name, name);
   };
   for (const std::string& name : parameter_names(plan)) add("parameters", name);
   for (const ScoreDefinition& score : definition_.scores) add("scores", score.name);
@@ -144,7 +145,7 @@ void ResultTable::check_expressions(const std::string& file) {
 void ResultTable::synchronize(const CampaignPlan& plan) {
   SqlTransaction transaction(database_);
   forget_exceeded_limits(plan);
-  const std::string scores = score_text(definition_.scores);
+  const std::string scores = score_text(definition_);
   if (text_of("scores") != scores)  // read again below
     database_.execute("DELETE FROM results WHERE id IN (SELECT id FROM units)");
   set_text("scores", scores);
@@ -172,7 +173,17 @@ void ResultTable::forget_exceeded_limits(const CampaignPlan& plan) {
   }
 }
 
+/// By the exit codes that count now, which may not be those with which the unit ran.
+void ResultTable::classify(UnitResult& result) const {
+  const bool ended = result.state == UnitState::kEnded || result.state == UnitState::kCrashed;
+  if (!ended || !result.exit_code) return;
+  const bool accepted = definition_.accepts(*result.exit_code);
+  result.state = accepted ? UnitState::kEnded : UnitState::kCrashed;
+  result.reason = accepted ? "" : fmt::format("ended with exit code {}", *result.exit_code);
+}
+
 void ResultTable::add(const CampaignUnit& unit, UnitResult result) {
+  classify(result);
   UnitScores scores{"{}", ""};
   if (result.state == UnitState::kEnded)
     scores = read_scores(definition_.scores, folder_.output(unit.id), unit.parameters);

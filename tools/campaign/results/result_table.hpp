@@ -54,6 +54,7 @@ class ResultTable {
   void name_columns(const CampaignPlan& plan);
   [[nodiscard]] std::string view_text(const std::string& schema) const;
   void check_expressions(const std::string& file);
+  void classify(UnitResult& result) const;
   void forget_exceeded_limits(const CampaignPlan& plan);
   void set_text(const std::string& key, const std::string& value);
   std::string text_of(const std::string& key);

@@ -19,7 +19,7 @@ std::vector<WorstUnit> worst_units(const CampaignDefinition& definition, Databas
                                    int count) {
   std::vector<std::string> names;
   std::string violations;
-  std::string sum = "0";
+  std::string sum = "0 + 0";  // a single number in ORDER BY would name a column
   for (const RateDefinition& rate : definition.rates) {
     const std::string violation = violation_of(rate);
     if (violation.empty()) continue;

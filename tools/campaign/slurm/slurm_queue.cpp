@@ -32,10 +32,9 @@ bool has_any_of(const std::string& text, std::initializer_list<const char*> part
 }
 
 bool means_no_controller(const std::string& output) {
-  return has_any_of(output,
-                    {"Unable to contact", "timed out", "Connection refused", "Socket timed out",
-                     "Zero Bytes were transmitted", "Transport endpoint",
-                     "Resource temporarily unavailable", "not responding"});
+  return has_any_of(
+      output, {"Unable to contact", "timed out", "Socket timed out", "Zero Bytes were transmitted",
+               "Transport endpoint", "Resource temporarily unavailable", "not responding"});
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }

@@ -88,9 +88,10 @@ class SlurmArrays {
 
   [[nodiscard]] std::string script_text(int number, std::size_t tasks, const fs::path& list) const {
     const double minutes = std::ceil((plan_.time_max_s + kTimeMarginS) / 60.0);
-    return fmt::format(R"(#!/bin/sh
+    return fmt::format(
+        R"(#!/bin/sh
 #SBATCH --job-name={}{}
-#SBATCH --array=1-{}
+#SBATCH --array=1-{}{}
 #SBATCH --requeue
 #SBATCH --time={:.0f}
 #SBATCH --mem={:.0f}M
@@ -101,10 +102,10 @@ class SlurmArrays {
 id=$(sed -n "${{SLURM_ARRAY_TASK_ID}}p" {})
 exec {} campaign run-unit {} "$id"
 )",
-                       prefix_, number, tasks, minutes, plan_.memory_max_mb + kMemoryMarginMb,
-                       runner_.cores, (folder_.slurm() / fmt::format("{}.log", number)).string(),
-                       shell_word(list.string()), shell_word((runner_.programs / "adit").string()),
-                       shell_word(folder_.path.string()));
+        prefix_, number, tasks, runner_.jobs > 0 ? fmt::format("%{}", runner_.jobs) : "", minutes,
+        plan_.memory_max_mb + kMemoryMarginMb, runner_.cores,
+        (folder_.slurm() / fmt::format("{}.log", number)).string(), shell_word(list.string()),
+        shell_word((runner_.programs / "adit").string()), shell_word(folder_.path.string()));
   }
 
   const SlurmRunner& runner_;

@@ -21,6 +21,7 @@ namespace adit {
 struct SlurmRunner {
   std::filesystem::path programs = own_program_folder();  ///< has adit and adit-watch, on all nodes
   int cores = 1;                                          ///< of a unit
+  int jobs = 0;  ///< units at the same time in each array; 0: as many as the cluster runs
   int stop_descriptor = -1;  ///< ends the run when it is readable; tasks continue
   std::function<void(const std::string&)> notify = [](const std::string&) {};
 

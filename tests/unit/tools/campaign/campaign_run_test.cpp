@@ -36,7 +36,7 @@ std::string campaign(const std::string& cases, const std::string& keys = "",
                      const std::string& seeds = "{from: 1, to: 8}",
                      const std::string& limits = "  time_max_s: 60\n  memory_max_mb: 4000\n") {
   return "campaign:\n  command: >-\n    sh -c 'echo {n} >>runs; case {n} in " + cases +
-         " esac; echo \"{{ \\\"value\\\": {n} }}\" >{out}/score.json'\n" limits +
+         " esac; echo \"{{ \\\"value\\\": {n} }}\" >{out}/score.json'\n" + limits +
          "  scores: [{name: value, file: score.json, pointer: /value}]\n" + keys +
          "matrix: {n: " + seeds + "}\n";
 }
@@ -126,6 +126,17 @@ TEST_F(Campaign, ReadsOtherScoresWithoutRunningAgain) {
   run(text);
   EXPECT_THAT(select("other"), ElementsAre("1", "2"));
   EXPECT_EQ(runs()["1"], 1);
+}
+
+TEST_F(Campaign, CountsOtherExitCodesWithoutRunningAgain) {
+  const std::string text = campaign("2) echo {{}} >{out}/score.json; exit 1;;", "", "[1, 2]");
+  run(text);
+  EXPECT_THAT(select("state"), ElementsAre("ended", "crashed"));
+  std::string accepting = text;
+  accepting.insert(accepting.find("  command"), "  exit_codes: [0, 1]\n");
+  run(accepting);
+  EXPECT_THAT(select("state"), ElementsAre("ended", "ended"));
+  EXPECT_EQ(runs()["2"], 1);
 }
 
 /// A killed campaign, by the signal that no process can handle: its units end with it.

@@ -222,11 +222,12 @@ std::vector<std::string> with_output(const std::vector<std::string>& arguments,
 }
 
 std::string shell_line(const CampaignPlan& plan, const CampaignUnit& unit, const std::string& out) {
-  std::string line = "cd " + shell_word(plan.folder.string()) + " &&";
+  std::string line = fmt::format("cd {} &&", shell_word(plan.folder.string()));
+  const std::vector<std::string> words = with_output(unit.arguments, out);
+  if (words != unit.arguments) line += fmt::format(" mkdir -p {} &&", shell_word(out));
   for (const auto& [name, value] : unit.environment)
     line += fmt::format(" {}={}", name, shell_word(value));
-  for (const std::string& word : with_output(unit.arguments, out))
-    line += fmt::format(" {}", shell_word(word));
+  for (const std::string& word : words) line += fmt::format(" {}", shell_word(word));
   return line;
 }
 

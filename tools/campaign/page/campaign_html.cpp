@@ -75,7 +75,7 @@ std::string rates_table(const std::vector<Rate>& rates) {
 std::string states_table(const std::vector<std::pair<std::string, int>>& states) {
   std::string rows;
   for (const auto& [state, count] : states)
-    rows += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(state), count);
+    rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(state), count);
   return "<h2>How units ended</h2>\n<table>" + rows + "</table>\n";
 }
 
@@ -114,10 +114,11 @@ std::string worst_table(const CampaignPage& page, const CampaignFolder& folder) 
     rows += fmt::format(
         "<tr><td>{}</td><td><code>{}</code></td><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td></"
         "tr>\n"
-        "<tr class=\"command\"><td></td><td colspan=\"5\"><code>{}</code></td></tr>\n",
+        "<tr class=\"command\"><td></td><td colspan=\"5\"><code>{}{}</code></td></tr>\n",
         unit.number, escaped(unit.parameters), escaped(unit.state),
         unit.reason.empty() ? "" : ": " + escaped(unit.reason), escaped(unit.violated),
-        escaped(unit.value), links, escaped(unit.command));
+        escaped(unit.value), links, unit.scores == "{}" ? "" : escaped(unit.scores) + "<br>",
+        escaped(unit.command));
   }
   return fmt::format(
       "<h2>The {} worst units</h2>\n<table><tr><th>unit</th><th>parameters</th><th>end</th>"

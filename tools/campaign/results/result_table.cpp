@@ -56,9 +56,9 @@ std::string score_text(const CampaignDefinition& definition) {
 }  // namespace
 
 const std::vector<std::string>& reserved_columns() {
-  static const std::vector<std::string> names{"unit",   "id",     "parameters", "command",
-                                              "state",  "reason", "exit_code",  "began_utime",
-                                              "wall_s", "cpu_s",  "memory_mb",  "host"};
+  static const std::vector<std::string> names{
+      "unit",        "id",     "parameters", "command",   "state", "reason", "exit_code",
+      "began_utime", "wall_s", "cpu_s",      "memory_mb", "host",  "scores"};
   return names;
 }
 
@@ -111,7 +111,8 @@ std::string ResultTable::view_text(const std::string& schema) const {
   return fmt::format(
       "SELECT number AS unit, id, parameters, command, state, reason, exit_code, began_utime, "
       "wall_s, "
-      "cpu_s, memory_mb, host{1} FROM {0}units LEFT JOIN {0}results USING (id) WHERE number <= "
+      "cpu_s, memory_mb, host, scores{1} FROM {0}units LEFT JOIN {0}results USING (id) WHERE "
+      "number <= "
       "(SELECT value FROM {0}settings WHERE key = 'rows')",
       schema, columns_);
 }

@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-constexpr int kFixedColumns = 7;
+constexpr int kFixedColumns = 8;
 
 }  // namespace
 
@@ -30,7 +30,8 @@ std::vector<WorstUnit> worst_units(const CampaignDefinition& definition, Databas
   const std::string worst =
       definition.worst.empty() ? "NULL" : fmt::format("({}\n)", definition.worst);
   SqlStatement rows = database.prepare(fmt::format(
-      "SELECT unit, id, parameters, state, reason, command, {} AS worst_value{} FROM campaign "
+      "SELECT unit, id, parameters, state, reason, scores, command, {} AS worst_value{} FROM "
+      "campaign "
       "WHERE "
       "state IS NOT NULL ORDER BY {} DESC, state <> 'ended' DESC, worst_value DESC, unit LIMIT ?",
       worst, violations, sum));
@@ -43,8 +44,9 @@ std::vector<WorstUnit> worst_units(const CampaignDefinition& definition, Databas
     unit.parameters = rows.text(2);
     unit.state = rows.text(3);
     unit.reason = rows.text(4);
-    unit.command = rows.text(5);
-    unit.value = rows.text(6);
+    unit.scores = rows.text(5);
+    unit.command = rows.text(6);
+    unit.value = rows.text(7);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (!rows.truth(kFixedColumns + static_cast<int>(i)).value_or(false)) continue;
       unit.violated += (unit.violations++ > 0 ? ", " : "") + names[i];

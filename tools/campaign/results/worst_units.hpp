@@ -16,6 +16,7 @@ struct WorstUnit {
   std::string parameters;  ///< as JSON
   std::string state;
   std::string reason;
+  std::string scores;    ///< as JSON, {} if it has none
   std::string command;   ///< a line for a shell that repeats it
   std::string value;     ///< of CampaignDefinition::worst; empty without one
   int violations = 0;    ///< rates against whose bounds it counts

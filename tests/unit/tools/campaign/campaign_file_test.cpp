@@ -108,6 +108,8 @@ TEST(CampaignPlan, ExpandsTheCommandWordByWord) {
   EXPECT_THAT(with_output(unit.arguments, "/o"),
               ElementsAre(testing::EndsWith("/sh"), "-c", "echo {x} $0", "a b", "/o/y"));
   EXPECT_THAT(shell_line(plan, unit, "o"), HasSubstr("sh -c 'echo {x} $0' 'a b' o/y"));
+  EXPECT_THAT(shell_line(plan, unit, "o"), HasSubstr(" && mkdir -p o && N=1 "));
+  EXPECT_THAT(shell_line(plan, unit, "o"), HasSubstr(" && mkdir -p o && N=1 "));
 }
 
 TEST(CampaignPlan, KnowsUnitsByTheContentOfCommandInputsAndProgram) {

@@ -3,6 +3,7 @@
 // Whole campaigns of real processes on this computer.
 #include "tools/campaign/campaign_run.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,7 @@
 
 #include "common/config/config_file.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/supervisor/processes.hpp"
 #include "tests/unit/tools/report/markup_check.hpp"
 #include "tools/campaign/campaign_status.hpp"
 #include "tools/campaign/results/database.hpp"
@@ -142,15 +144,21 @@ TEST_F(Campaign, CountsOtherExitCodesWithoutRunningAgain) {
 /// A killed campaign, by the signal that no process can handle: its units end with it.
 TEST_F(Campaign, ContinuesAfterAKill) {
   const CampaignOptions campaign_options =
-      options(campaign("3) while [ ! -e go ]; do sleep 0.05; done;;"));
+      options(campaign("3) echo $$ >pid; while [ ! -e go ]; do sleep 0.05; done;;"));
   const pid_t child = fork();
   if (child == 0) {
     run_campaign(campaign_options, {}, {});
     _exit(0);
   }
-  while (runs()["4"] == 0) usleep(1000);  // unit 3 runs and waits
+  // Unit 3 runs and waits.
+  ASSERT_TRUE(
+      test::becomes_true([&] { return runs()["4"] > 0 && fs::file_size(folder_ / "pid") > 0; }));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
+  pid_t unit = 0;
+  std::ifstream(folder_ / "pid") >> unit;
+  ASSERT_GT(unit, 0);
+  EXPECT_TRUE(test::becomes_true([&] { return kill(unit, 0) != 0 && errno == ESRCH; }));
   EXPECT_FALSE(fs::exists(folder_ / "out/campaign.html"));
   std::ofstream(folder_ / "go");
   EXPECT_TRUE(run_campaign(campaign_options, {}, {}).is_complete());

@@ -16,6 +16,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -32,6 +33,7 @@ struct SpawnOptions {
   std::vector<std::string> arguments;  ///< path of the program first
   std::vector<std::string> environment;
   std::vector<int> descriptors;  ///< become 0, 1, 2, ...; must be higher; no others are inherited
+  std::filesystem::path folder;  ///< empty: that of this process
 };
 
 /// Starts a program with no signals blocked or ignored and returns its process id. Uses
@@ -46,8 +48,9 @@ std::vector<std::string> environment_with(
 /// Owns the attributes and file actions of posix_spawn.
 class SpawnAttributes {
  public:
-  explicit SpawnAttributes(const std::vector<int>& descriptors) {
+  SpawnAttributes(const std::vector<int>& descriptors, const std::filesystem::path& folder) {
     posix_spawn_file_actions_init(&actions);
+    if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
     for (std::size_t i = 0; i < descriptors.size(); ++i) {
       posix_spawn_file_actions_adddup2(&actions, descriptors[i], static_cast<int>(i));
     }
@@ -80,7 +83,7 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
 }
 
 pid_t spawn(const SpawnOptions& options) {
-  const SpawnAttributes spawn_attributes(options.descriptors);
+  const SpawnAttributes spawn_attributes(options.descriptors, options.folder);
   pid_t pid = -1;
   const int error = posix_spawn(&pid, options.arguments.front().c_str(), &spawn_attributes.actions,
                                 &spawn_attributes.attributes, pointers_to(options.arguments).data(),
@@ -155,6 +158,29 @@ FileDescriptor moved_above_standard(FileDescriptor descriptor) {
   return copy_above_standard(descriptor.get());
 }
 
+/// What a program reads from and writes to.
+struct StandardStreams {
+  FileDescriptor terminal;  ///< our end of the terminal; none if the output goes elsewhere
+  FileDescriptor input;
+  FileDescriptor output;
+};
+
+StandardStreams open_streams(const std::optional<int>& output) {
+  StandardStreams streams;
+  if (output) {
+    FileDescriptor empty(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    require(static_cast<bool>(empty), "/dev/null");
+    streams.input = moved_above_standard(std::move(empty));
+    streams.output = copy_above_standard(*output);
+    return streams;
+  }
+  PseudoTerminal terminal = PseudoTerminal::open();
+  streams.terminal = std::move(terminal.parent_end);
+  streams.input = moved_above_standard(std::move(terminal.child_end));
+  streams.output = copy_above_standard(streams.input.get());
+  return streams;
+}
+
 /// Connection to adit-watch. Sockets instead of pipes: a write after the peer has closed returns an
 /// error (MSG_NOSIGNAL) instead of raising SIGPIPE.
 struct SocketPair {
@@ -172,6 +198,10 @@ SocketPair make_socket_pair() {
   return {moved_above_standard(std::move(parent_end)), moved_above_standard(std::move(child_end))};
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 std::vector<std::string> arguments_of(const ChildStart& start) {
   std::vector<std::string> arguments{start.watcher.string(), std::to_string(start.stop_signal),
                                      std::to_string(start.stop_time_s)};
@@ -184,11 +214,10 @@ std::vector<std::string> arguments_of(const ChildStart& start) {
 std::string ChildProcess::End::text() const { return wait_status_text(wait_status); }
 
 ChildProcess::ChildProcess(const ChildStart& start) {
-  PseudoTerminal terminal = PseudoTerminal::open();
+  StandardStreams streams = open_streams(start.output);
   SocketPair reports = make_socket_pair();
   SocketPair signals = make_socket_pair();
-  const FileDescriptor child_end = moved_above_standard(std::move(terminal.child_end));
-  std::vector<int> descriptors{child_end.get(), child_end.get(), child_end.get(),
+  std::vector<int> descriptors{streams.input.get(), streams.output.get(), streams.output.get(),
                                reports.child_end.get(), signals.child_end.get()};
   FileDescriptor listening_socket;
   if (start.listening_socket) {
@@ -197,9 +226,9 @@ ChildProcess::ChildProcess(const ChildStart& start) {
   }
   watcher_ = spawn({arguments_of(start),
                     environment_with(start.line.environment, start.watcher.parent_path().string()),
-                    descriptors});
+                    descriptors, start.folder});
   fcntl(signals.parent_end.get(), F_SETFL, O_NONBLOCK);
-  terminal_ = std::move(terminal.parent_end);
+  terminal_ = std::move(streams.terminal);
   reports_ = std::move(reports.parent_end);
   signals_ = std::move(signals.parent_end);
   reports.child_end.reset();  // otherwise the end of adit-watch would not be detected
@@ -232,11 +261,15 @@ void ChildProcess::wait_for_start() {
 std::optional<ChildProcess::End> ChildProcess::poll() {
   if (watcher_ <= 0) return std::nullopt;
   int status = 0;
-  const bool gone = waitpid(watcher_, &status, WNOHANG) == watcher_;
+  rusage usage{};
+  const bool gone = wait4(watcher_, &status, WNOHANG, &usage) == watcher_;
   read_reports();
   if (!gone) return std::nullopt;
   watcher_ = -1;
-  return end_.value_or(End{status});  // if adit-watch was killed, so was the program
+  End end = end_.value_or(End{status});  // if adit-watch was killed, so was the program
+  end.cpu_s = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+  end.memory_bytes = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+  return end;
 }
 
 void ChildProcess::read_reports() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,16 +23,22 @@ struct ChildStart {
   std::filesystem::path watcher = {};  ///< path of adit-watch; its folder is appended to PATH
   /// A socket that the program inherits, as by sd_listen_fds(3).
   std::optional<int> listening_socket = {};
+  /// Takes standard output and standard error, in place of a terminal; the input is then empty.
+  std::optional<int> output = {};
+  std::filesystem::path folder = {};  ///< working folder; empty: that of this process
 };
 
 /// A running program with all its descendants, under its own adit-watch (see Watch), which tracks
 /// all descendants and kills them if this process ends. The program has a pseudo terminal for input
-/// and output, its own session, and inherits no other file descriptors but a listening socket.
+/// and output unless ChildStart::output is set, its own session, and inherits no other file
+/// descriptors but a listening socket.
 class ChildProcess {
  public:
   /// How a program ended.
   struct End {
     int wait_status = 0;
+    double cpu_s = 0.0;             ///< of the program and all its descendants
+    std::int64_t memory_bytes = 0;  ///< the largest resident set of one of them, or of this process
 
     [[nodiscard]] bool succeeded() const { return wait_status == 0; }
     /// "ended with exit code 3", "killed by SIGSEGV".
@@ -66,7 +73,7 @@ class ChildProcess {
   void wait_for_start();
   void read_reports();
 
-  FileDescriptor terminal_;
+  FileDescriptor terminal_;  // none with an output of its own
   FileDescriptor reports_;
   FileDescriptor signals_;
   pid_t watcher_ = -1;

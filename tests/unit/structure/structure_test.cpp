@@ -205,6 +205,11 @@ TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
               testing::ElementsAre("common/pose_graph/sparse_cholesky"));
 }
 
+TEST(Structure, SqliteIsBehindOneClass) {
+  EXPECT_THAT(stems_that_include("<sqlite3.h>"),
+              testing::ElementsAre("tools/campaign/results/database"));
+}
+
 TEST(Structure, YamlIsBehindOneClass) {
   EXPECT_THAT(stems_that_include("<yaml-cpp/"), testing::ElementsAre("common/config/config_file"));
 }

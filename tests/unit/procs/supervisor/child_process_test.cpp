@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "procs/supervisor/os/procfs.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 
 namespace adit {
@@ -60,6 +61,27 @@ TEST(ChildProcess, ReturnsHowTheProgramEnded) {
   EXPECT_EQ(end.text(), "ended with exit code 3");
   ChildProcess killed(shell("kill -SEGV $$"));
   EXPECT_EQ(end_of(killed).text(), "killed by SIGSEGV");
+}
+
+TEST(ChildProcess, WritesToAFileInAFolderInPlaceOfATerminal) {
+  const test::ScratchFolder folder;
+  const int output = open((folder / "output").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  ChildStart start = shell("pwd; [ -t 0 ] || cat; echo error >&2; exit 4");
+  start.output = output;
+  start.folder = folder.path();
+  ChildProcess child(start);
+  const ChildProcess::End end = end_of(child);
+  close(output);
+  EXPECT_EQ(WEXITSTATUS(end.wait_status), 4);
+  EXPECT_GT(end.memory_bytes, 100'000);
+  EXPECT_EQ(test::contents(folder / "output"), folder.path().string() + "\nerror\n");
+}
+
+TEST(ChildProcess, MeasuresTheCpuTimeOfAllDescendants) {
+  ChildProcess child(shell("(i=0; while [ $i -lt 100000 ]; do i=$((i + 1)); done) & wait"));
+  const ChildProcess::End end = end_of(child);
+  EXPECT_GT(end.cpu_s, 0.01);
+  EXPECT_LT(end.cpu_s, 30.0);
 }
 
 TEST(ChildProcess, PassesAListeningSocketAsSystemdDoes) {

@@ -4,57 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include "common/files/file_utils.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "tools/map/result_folder.hpp"
+#include "tools/survey/files/gdal_support.hpp"
 #include "tools/survey/files/geotiff_file.hpp"
-#include "tools/survey/frame/registered_cloud.hpp"
-#include "tools/survey/frame/survey_frame.hpp"
-#include "tools/survey/frame/survey_graph.hpp"
-#include "tools/survey/input/survey_input.hpp"
-#include "tools/survey/raster/column_grid.hpp"
+#include "tools/survey/files/las_file.hpp"
 #include "tools/survey/raster/elevation_rasters.hpp"
-#include "tools/survey/section/cross_section.hpp"
 #include "tools/survey/section/section_table.hpp"
 
 namespace adit {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kEveryMinM = 0.2;
-constexpr double kEveryMaxM = 1000.0;
-constexpr double kCellMinM = 0.05;
-constexpr double kCellMaxM = 1.0;
-
-/// Places of the body on the ground, in survey: each placed by the local map of its time.
-std::vector<Eigen::Vector3d> path_in_survey(const MissionMap& map, const SurveyGraph& graph) {
-  std::vector<Eigen::Vector3d> path;
-  for (const TimedPose& pose : map.path())
-    path.push_back(graph.T_survey_map(graph.node_at(pose.utime)) * pose.position());
-  return path;
-}
-
-/// The scans of the level lasers, each at the place of its local map in survey. Nothing if the
-/// poses exceed the size of a grid.
-std::optional<OccupancyGrid> occupancy(const SurveyInput& input, const SurveyGraph& graph) {
-  FullMap placed;
-  for (const SurveyGraph::Node& node : graph.nodes()) {
-    const LocalMap& map = *input.map().full_map().local_maps[static_cast<std::size_t>(node.id)];
-    for (const LocalScan& scan : map.scans)
-      placed.scans.push_back(
-          {&scan.channel, &scan.scan, node.T_survey_local.plan * scan.T_local_body});
-  }
-  OccupancyGrid grid{OccupancyGridParams{}};
-  if (!insert_scans(placed, input.log_info().lasers, grid) || grid.observed_box().empty())
-    return std::nullopt;
-  return grid;
-}
 
 void write_rasters(const ColumnGrid& columns, const std::optional<OccupancyGrid>& occupied,
                    const SurveyFrame& frame, const fs::path& folder,
@@ -75,19 +38,17 @@ void write_rasters(const ColumnGrid& columns, const std::optional<OccupancyGrid>
   write_geotiff(occupancy_raster(*occupied, frame), crs, folder / "occupancy.tif");
 }
 
-void check(const SurveyOptions& options) {
-  for (const fs::path& path : options.mission) {
-    if (!fs::exists(path))
-      throw std::invalid_argument(fmt::format("{}: no such file or folder", path.string()));
-  }
-  if (!(options.every_m >= kEveryMinM && options.every_m <= kEveryMaxM)) {
-    throw std::invalid_argument(
-        fmt::format("the distance between cross-sections is {} to {} m", kEveryMinM, kEveryMaxM));
-  }
-  if (!(options.cell_m >= kCellMinM && options.cell_m <= kCellMaxM)) {
-    throw std::invalid_argument(
-        fmt::format("the side of a cell is {} to {} m", kCellMinM, kCellMaxM));
-  }
+/// All points of the 3D scans, in the grid.
+LasPoints las_points(const MineSurvey& survey) {
+  return [&survey](const std::function<void(const LasPoint&)>& visit) {
+    survey.cloud().for_each_point([&](const SurveyPoint& point) {
+      const Eigen::Matrix3d covariance = survey.cloud().covariance(point);
+      visit({survey.frame().in_grid(point.p_survey), point.utime,
+             static_cast<std::uint32_t>(point.scan->number),
+             static_cast<float>(position_sd_m(covariance)),
+             static_cast<float>(std::sqrt(covariance(2, 2)))});
+    });
+  };
 }
 
 void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
@@ -100,42 +61,27 @@ void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
 }  // namespace
 
 SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& progress) {
-  const auto report = [&](const char* step, double done) {
-    if (progress) progress(step, done);
-  };
-  check(options);
-  const SurveyInput input(mission_logs(options.mission),
-                          [&](double done) { report("reading", done); });
-  report("placing", 0.0);
-  const SurveyGraph graph = SurveyGraph::free_network(input.map().full_map());
-  const SurveyFrame frame = SurveyFrame::local();
-  const RegisteredCloud cloud(input.clouds(), graph);
-  const std::vector<Eigen::Vector3d> path = path_in_survey(input.map(), graph);
-  const CorridorGraph corridors =
-      input.exploration() ? input.exploration()->corridors : CorridorGraph{};
-  const std::vector<CentreLine> lines = centre_lines(corridors, graph);
-
-  report("measuring", 0.2);
-  const ColumnGrid columns = column_grid(cloud, path, {.cell_m = options.cell_m});
-  const auto sections = cross_sections(cloud, section_planes(lines, path, options.every_m));
-  const auto occupied = occupancy(input, graph);
-
-  report("writing", 0.6);
+  const MineSurvey survey(options, progress);
+  const SurveyFrame& frame = survey.frame();
   SurveyResult result;
   result.frame = frame.statement();
-  result.scans = cloud.scans().size();
-  result.points = cloud.points();
-  for (const CentreLine& line : lines) result.length_m += line.line.length_m();
-  result.sections = sections.size();
-  result.void_space = void_volume(columns);
-  result.warnings = input.warnings();
-  add_accuracy(graph, result);
+  result.scans = survey.cloud().scans().size();
+  result.points = survey.cloud().points();
+  for (const CentreLine& line : survey.lines()) result.length_m += line.line.length_m();
+  result.sections = survey.sections().size();
+  result.void_space = survey.void_space();
+  result.warnings = survey.input().warnings();
+  add_accuracy(survey.graph(), result);
+
+  if (progress) progress("writing", 0.0);
   const ResultFolder results(options.folder);
-  write_rasters(columns, occupied, frame, results.unfinished(), result.warnings);
-  write_text_file(section_table(sections, frame), results.unfinished() / "sections.csv");
-  write_text_file(outline_table(sections, frame), results.unfinished() / "outlines.csv");
+  const fs::path& folder = results.unfinished();
+  write_rasters(survey.columns(), survey.occupied(), frame, folder, result.warnings);
+  write_text_file(section_table(survey.sections(), frame), folder / "sections.csv");
+  write_text_file(outline_table(survey.sections(), frame), folder / "outlines.csv");
+  write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");
   results.publish();
-  report("writing", 1.0);
+  if (progress) progress("writing", 1.0);
   return result;
 }
 

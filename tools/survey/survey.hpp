@@ -3,21 +3,12 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "tools/survey/raster/void_volume.hpp"
+#include "tools/survey/mine_survey.hpp"
 
 namespace adit {
-
-struct SurveyOptions {
-  std::vector<std::filesystem::path> mission;  ///< folder of a mission, or its logs
-  std::filesystem::path folder;                ///< created if it does not exist
-  double every_m = 5.0;                        ///< between cross-sections
-  double cell_m = 0.1;                         ///< of rasters
-};
 
 /// What was surveyed, for a person.
 struct SurveyResult {
@@ -32,9 +23,6 @@ struct SurveyResult {
   double z_sd_max_m = 0.0;
   std::vector<std::string> warnings;  ///< one sentence each
 };
-
-/// Names the present step and how much of it is done, 0 to 1.
-using SurveyProgress = std::function<void(const std::string& step, double done)>;
 
 /// Surveys the mine of a mission and writes the files that `adit survey --help` lists. Throws
 /// std::invalid_argument for options out of bounds, and std::runtime_error if a log cannot be read,

@@ -11,6 +11,10 @@ namespace adit {
 /// `fail_gdal`. Any number of calls.
 void prepare_gdal();
 
+/// A coordinate system of WKT 2 in WKT 1, for formats that are older. Throws std::runtime_error for
+/// a text that is none.
+std::string wkt1_of(const std::string& crs_wkt);
+
 /// Throws FileError with the path and the last message of GDAL.
 [[noreturn]] void fail_gdal(const std::filesystem::path& path);
 

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/pose_graph/map_correction.hpp"
 
 namespace adit {
@@ -170,6 +171,34 @@ SurveyColumn column_of(Returns returns, const Eigen::Vector2d& p_survey, double 
   return column;
 }
 
+/// Few returns of a wall look like a high floor or a low roof: columns whose floor is above that of
+/// the columns around them, or whose roof is below theirs, are wall.
+void tell_walls(const ColumnGridParams& params, Grid2<SurveyColumn>& columns) {
+  const Grid2<SurveyColumn> before = columns;
+  const int reach = static_cast<int>(std::round(params.around_m / params.cell_m));
+  std::vector<double> floors;
+  std::vector<double> roofs;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i].kind != SurveyColumn::Kind::kVoid) continue;
+    floors.clear();
+    roofs.clear();
+    const Eigen::Vector2i cell = before.cell(i);
+    for (int x = -reach; x <= reach; ++x) {
+      for (int y = -reach; y <= reach; ++y) {
+        const SurveyColumn& beside = before.get(cell + Eigen::Vector2i(x, y));
+        if (std::isfinite(beside.floor_m)) floors.push_back(beside.floor_m);
+        if (std::isfinite(beside.roof_m)) roofs.push_back(beside.roof_m);
+      }
+    }
+    if (before[i].floor_m > median(floors) + params.step_max_m ||
+        before[i].roof_m < median(roofs) - params.step_max_m) {
+      columns[i] = SurveyColumn{};
+      columns[i].kind = SurveyColumn::Kind::kWall;
+      columns[i].plan_sd_m = before[i].plan_sd_m;
+    }
+  }
+}
+
 /// The smallest box around all columns with returns.
 CellBox seen_box(const Grid2<SurveyColumn>& columns) {
   CellBox box;
@@ -202,7 +231,9 @@ ColumnGrid column_grid(const RegisteredCloud& cloud, const std::vector<Eigen::Ve
                               heights.at(cell) + params.middle_m, cloud.graph(), params);
     first = last;
   }
-  return {params.cell_m, cropped(columns, seen_box(columns))};
+  columns = cropped(columns, seen_box(columns));
+  tell_walls(params, columns);
+  return {params.cell_m, std::move(columns)};
 }
 
 }  // namespace adit

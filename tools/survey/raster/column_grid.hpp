@@ -19,6 +19,8 @@ struct ColumnGridParams {
   double path_max_m = 12.0;      ///< distance in plan from the path up to which columns are judged
   double middle_m = 0.7;         ///< height over the path at which the space is taken to be open
   double clearance_min_m = 0.4;  ///< a lower gap is no void
+  double around_m = 0.4;         ///< around a column, with which its floor and roof are compared
+  double step_max_m = 0.2;       ///< between them; a higher step is a wall
   double layer_m = 0.1;          ///< returns this close to the edge of the gap are of its surface
 };
 

@@ -6,10 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
-#include <optional>
-#include <vector>
-
-#include "common/geometry/order_statistics.hpp"
 
 namespace adit {
 namespace {
@@ -17,39 +13,18 @@ namespace {
 const std::array<Eigen::Vector2i, 4> kAlongAxes{Eigen::Vector2i(1, 0), Eigen::Vector2i(0, 1),
                                                 Eigen::Vector2i(-1, 0), Eigen::Vector2i(0, -1)};
 
+constexpr double kFilledSdShare = 0.1;  // standard deviation of what was filled, as a share of it
+
 bool is_complete(const SurveyColumn& column) {
   return column.kind == SurveyColumn::Kind::kVoid && std::isfinite(column.height_m());
 }
 
-/// The first complete column from a cell along an axis, before any wall; null if there is none
-/// within `reach` cells.
-const SurveyColumn* void_beside(const Grid2<SurveyColumn>& columns, const Eigen::Vector2i& cell,
-                                const Eigen::Vector2i& step, int reach) {
-  for (int i = 1; i <= reach; ++i) {
-    const Eigen::Vector2i at = cell + i * step;
-    if (!columns.contains(at) || columns.at(at).kind == SurveyColumn::Kind::kWall) return nullptr;
-    if (is_complete(columns.at(at))) return &columns.at(at);
-  }
-  return nullptr;
-}
-
-/// A column between void columns, three of the four along the axes.
-std::optional<SurveyColumn> interpolated(const Grid2<SurveyColumn>& columns,
-                                         const Eigen::Vector2i& cell, int reach) {
-  std::vector<double> floors;
-  std::vector<double> roofs;
-  for (const Eigen::Vector2i& step : kAlongAxes) {
-    const SurveyColumn* const beside = void_beside(columns, cell, step, reach);
-    if (beside == nullptr) continue;
-    floors.push_back(beside->floor_m);
-    roofs.push_back(beside->roof_m);
-  }
-  if (floors.size() < 3) return std::nullopt;
-  SurveyColumn column = columns.at(cell);
-  column.kind = SurveyColumn::Kind::kVoid;
-  if (!std::isfinite(column.floor_m)) column.floor_m = static_cast<float>(median(floors));
-  if (!std::isfinite(column.roof_m)) column.roof_m = static_cast<float>(median(roofs));
-  return column;
+/// Whether a column is void without a complete floor and roof.
+bool is_gap(const SurveyColumn& column, const Eigen::Vector2d& p_survey,
+            const OccupancyGrid* free_space) {
+  if (column.kind == SurveyColumn::Kind::kVoid) return !is_complete(column);
+  if (column.kind == SurveyColumn::Kind::kWall || free_space == nullptr) return false;
+  return free_space->state(free_space->cell_at(p_survey)) == CellState::kFree;
 }
 
 /// The height of the nearest void column of each cell of wall beside void; 0 elsewhere.
@@ -80,20 +55,36 @@ Grid2<float> heights_beside_walls(const Grid2<SurveyColumn>& columns, int reach)
 
 }  // namespace
 
-ColumnGrid with_holes_filled(const ColumnGrid& grid, const VoidVolumeParams& params) {
+ColumnGrid with_gaps_filled(const ColumnGrid& grid, const OccupancyGrid* free_space,
+                            const VoidVolumeParams& params) {
   ColumnGrid filled = grid;
-  const int reach = static_cast<int>(std::round(params.hole_max_m / grid.cell_m));
+  const int reach = static_cast<int>(std::round(params.fill_max_m / grid.cell_m));
+  Grid2<std::uint8_t> steps(grid.columns.box());
+  std::deque<std::size_t> open;
   for (std::size_t i = 0; i < grid.columns.size(); ++i) {
-    const SurveyColumn& column = grid.columns[i];
-    if (column.kind == SurveyColumn::Kind::kWall || is_complete(column)) continue;
-    if (const auto between = interpolated(grid.columns, grid.columns.cell(i), reach))
-      filled.columns[i] = *between;
+    if (is_complete(grid.columns[i])) open.push_back(i);
+  }
+  while (!open.empty()) {
+    const std::size_t i = open.front();
+    open.pop_front();
+    if (steps[i] >= reach) continue;
+    for (const Eigen::Vector2i& step : kAlongAxes) {
+      const Eigen::Vector2i next = grid.columns.cell(i) + step;
+      if (!filled.columns.contains(next) || is_complete(filled.columns.at(next))) continue;
+      SurveyColumn& column = filled.columns.at(next);
+      if (!is_gap(column, centre_of(next, grid.cell_m), free_space)) continue;
+      column.kind = SurveyColumn::Kind::kVoid;
+      if (!std::isfinite(column.floor_m)) column.floor_m = filled.columns[i].floor_m;
+      if (!std::isfinite(column.roof_m)) column.roof_m = filled.columns[i].roof_m;
+      steps.at(next) = static_cast<std::uint8_t>(steps[i] + 1);
+      open.push_back(filled.columns.index(next));
+    }
   }
   return filled;
 }
 
-VoidVolume void_volume(const ColumnGrid& grid, const VoidVolumeParams& params) {
-  const ColumnGrid filled = with_holes_filled(grid, params);
+VoidVolume void_volume(const ColumnGrid& grid, const ColumnGrid& filled,
+                       const VoidVolumeParams& params) {
   const int reach = static_cast<int>(std::round(params.wall_max_m / grid.cell_m));
   const Grid2<float> heights = heights_beside_walls(filled.columns, reach);
   const double cell_m2 = grid.cell_m * grid.cell_m;
@@ -122,10 +113,10 @@ VoidVolume void_volume(const ColumnGrid& grid, const VoidVolumeParams& params) {
     }
   }
   const double surface_m2 = 2.0 * sum.area_m2.value + wall_m2;
-  sum.area_m2.sd = std::hypot(outline_m * params.common_sd_m, 0.5 * sum.filled_m2,
+  sum.area_m2.sd = std::hypot(outline_m * params.common_sd_m, kFilledSdShare * sum.filled_m2,
                               0.5 * grid.cell_m * std::sqrt(outline_m * grid.cell_m));
   sum.volume_m3.sd = std::sqrt(std::pow(surface_m2 * params.common_sd_m, 2) +
-                               std::pow(0.5 * filled_m3, 2) + scatter_m6);
+                               std::pow(kFilledSdShare * filled_m3, 2) + scatter_m6);
   return sum;
 }
 

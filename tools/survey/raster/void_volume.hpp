@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/grid/occupancy_grid.hpp"
 #include "tools/survey/raster/column_grid.hpp"
 #include "tools/survey/section/section_outline.hpp"
 
 namespace adit {
 
 struct VoidVolumeParams {
-  double hole_max_m = 1.0;     ///< unseen cells between void this far apart are void
+  double fill_max_m = 1.5;     ///< from a column whose floor and roof are seen, for one where not
   double wall_max_m = 0.5;     ///< thickness of a wall's relief in plan
   double common_sd_m = 0.004;  ///< error of ranges that all returns share
 };
@@ -20,14 +21,17 @@ struct VoidVolume {
   double filled_m2 = 0.0;  ///< part of the area where floor or roof was interpolated
 };
 
-/// Sums the columns of a grid. The returns of a wall are half in front of its middle: half of the
-/// cells of wall beside void are void, of the same height. The standard deviation has the error of
-/// ranges, which moves all surfaces outwards together, the scatter of the columns, and half of what
-/// was interpolated.
-VoidVolume void_volume(const ColumnGrid& grid, const VoidVolumeParams& params = {});
+/// A grid without gaps: the columns of void whose floor or roof is unseen, and unseen columns where
+/// the level lasers saw free space, get what they lack from the nearest complete column. The
+/// standard deviations of these values stay unknown. `free_space` may be null.
+ColumnGrid with_gaps_filled(const ColumnGrid& grid, const OccupancyGrid* free_space,
+                            const VoidVolumeParams& params = {});
 
-/// The same grid with what `void_volume` interpolates: unseen floor, roof and holes between void
-/// columns. Their standard deviations stay unknown.
-ColumnGrid with_holes_filled(const ColumnGrid& grid, const VoidVolumeParams& params = {});
+/// Sums the columns of a grid; `filled`: the same without gaps. The returns of a wall are half in
+/// front of its middle: half of the cells of wall beside void are void, of the same height. The
+/// standard deviation has the error of ranges, which moves all surfaces outwards together, the
+/// scatter of the cells of wall, and a tenth of what was filled.
+VoidVolume void_volume(const ColumnGrid& grid, const ColumnGrid& filled,
+                       const VoidVolumeParams& params = {});
 
 }  // namespace adit

@@ -177,6 +177,7 @@ SectionOutline outline_of(const std::vector<SectionReturn>& returns, double z_mi
   SectionOutline outline;
   for (std::size_t i = 0; i < kRays; ++i)
     outline.rays[i] = fit_ray(nearest_surface(std::move(by_ray[i])));
+  outline.close_small_gaps();
   return outline;
 }
 

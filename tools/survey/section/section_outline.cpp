@@ -8,7 +8,10 @@
 namespace adit {
 namespace {
 
-constexpr double kGapMaxRad = 0.5;  // a wider one may be a side tunnel
+constexpr double kGapMaxRad = 0.4;      // a wider one may be a side tunnel
+constexpr std::size_t kSmallGap = 2;    // rays
+constexpr double kGapSdShare = 0.1;     // of the length of the line that closes it
+constexpr double kCornerShare = 0.125;  // of its square: half of a right-angled corner behind it
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -47,6 +50,24 @@ std::vector<Eigen::Vector2d> SectionOutline::corners() const {
   return corners;
 }
 
+void SectionOutline::close_small_gaps() {
+  const std::array<Ray, kRays> before = rays;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    if (!before[i].seen()) continue;
+    std::size_t next = 1;
+    while (next <= kSmallGap && !before[(i + next) % kRays].seen()) ++next;
+    const Ray& end = before[(i + next) % kRays];
+    if (next == 1 || !end.seen()) continue;
+    const Eigen::Vector2d a = before[i].distance_m * direction(i);
+    const Eigen::Vector2d along = end.distance_m * direction((i + next) % kRays) - a;
+    const double sd_m = kGapSdShare * along.norm() + std::max(before[i].sd_m, end.sd_m);
+    for (std::size_t k = 1; k < next; ++k) {
+      const Eigen::Vector2d ray = direction((i + k) % kRays);
+      rays[(i + k) % kRays] = {cross(a, along) / cross(ray, along), sd_m};
+    }
+  }
+}
+
 bool SectionMeasures::is_closed() const { return gap_max_rad <= kGapMaxRad; }
 
 /// The area changes by half of the distance between the neighbours of a corner, across its ray, for
@@ -73,6 +94,8 @@ SectionMeasures measure(const SectionOutline& outline, double common_sd_m) {
     const Eigen::Vector2d across = corners[next] - corners[before];
     const double rate = 0.5 * std::abs(cross(Outline::direction(seen[k]), across));
     variance += std::pow(rate * outline.rays[seen[k]].sd_m, 2);
+    if ((seen[(k + 1) % seen.size()] + Outline::kRays - seen[k]) % Outline::kRays > 1)
+      variance += std::pow(kCornerShare * (corners[next] - corners[k]).squaredNorm(), 2);
   }
   const double common_m2 = measures.perimeter_m.value * common_sd_m;
   measures.area_m2.sd = std::sqrt(variance + common_m2 * common_m2);

@@ -35,6 +35,9 @@ struct SectionOutline {
 
   /// Unit vector (u, z) of a ray.
   [[nodiscard]] static Eigen::Vector2d direction(std::size_t ray);
+  /// Closes gaps of one or two rays between seen ones by a straight line, with a standard deviation
+  /// of a tenth of its length.
+  void close_small_gaps();
   /// Corners (u, z) of the rays that are seen, counter-clockwise.
   [[nodiscard]] std::vector<Eigen::Vector2d> corners() const;
 };

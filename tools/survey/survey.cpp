@@ -11,13 +11,19 @@
 #include "tools/survey/files/gdal_support.hpp"
 #include "tools/survey/files/geotiff_file.hpp"
 #include "tools/survey/files/las_file.hpp"
+#include "tools/survey/files/vector_files.hpp"
+#include "tools/survey/plan/survey_layers.hpp"
 #include "tools/survey/raster/elevation_rasters.hpp"
+#include "tools/survey/section/profile.hpp"
+#include "tools/survey/section/section_sheets.hpp"
 #include "tools/survey/section/section_table.hpp"
 
 namespace adit {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kProfileEveryM = 0.5;
 
 void write_rasters(const ColumnGrid& columns, const std::optional<OccupancyGrid>& occupied,
                    const SurveyFrame& frame, const fs::path& folder,
@@ -79,6 +85,14 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   write_rasters(survey.columns(), survey.occupied(), frame, folder, result.warnings);
   write_text_file(section_table(survey.sections(), frame), folder / "sections.csv");
   write_text_file(outline_table(survey.sections(), frame), folder / "outlines.csv");
+  const auto along = profiles(survey.lines(), survey.columns(), kProfileEveryM);
+  write_text_file(sections_svg(survey.sections(), frame), folder / "sections.svg");
+  write_text_file(profile_table(along, frame), folder / "profiles.csv");
+  write_text_file(profiles_svg(along, frame), folder / "profiles.svg");
+  const std::vector<VectorLayer> layers = survey_layers(survey);
+  write_geopackage(layers, frame.crs_wkt(), folder / "survey.gpkg");
+  write_geojson(layers, frame.crs_name(), frame.statement(), folder / "survey.geojson");
+  write_dxf(layers, folder / "survey.dxf");
   write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");
   results.publish();
   if (progress) progress("writing", 1.0);

@@ -75,7 +75,7 @@ void add_sections(const MineSurvey& survey, const SurveyTruth& truth, bool verbo
     const std::size_t node = survey.graph().node_near_in_survey(section.plane.p_survey);
     const auto T_world = truth.T_world_survey_at(node);
     if (!T_world) continue;
-    ++row.sections;
+    if (section.has_width()) ++row.sections;
     const SectionOutline real = truth.outline(section, *T_world);
     const SectionMeasures measures = measure(real, 0.0);
     const SectionMeasures& measured = section.measures;
@@ -83,17 +83,17 @@ void add_sections(const MineSurvey& survey, const SurveyTruth& truth, bool verbo
       if (std::isfinite(estimate.value) && std::isfinite(value.value))
         errors.add(estimate.value - value.value, estimate.sd);
     };
-    add(measured.width_m, measures.width_m, row.width_m);
+    if (section.has_width()) add(measured.width_m, measures.width_m, row.width_m);
     add(measured.height_m, measures.height_m, row.height_m);
-    if (measured.is_closed() && measures.is_closed()) {
+    if (section.has_area() && measures.is_closed()) {
       const double area_m2 = measures.area_m2.value;
       row.area_share.add(measured.area_m2.value / area_m2 - 1.0, measured.area_m2.sd / area_m2);
     }
     if (verbose) {
       std::cerr << format(
-          "tunnel %d at %.0f m: width %.3f of %.3f, height %.3f of %.3f, area %.2f of %.2f, seen "
+          "tunnel %d at %.0f m%s: width %.3f of %.3f, height %.3f of %.3f, area %.2f of %.2f, seen "
           "%.2f\n",
-          section.plane.tunnel, section.plane.chainage_m, measured.width_m.value,
+          section.plane.tunnel, section.plane.chainage_m, section.has_area() ? "" : " (open)", measured.width_m.value,
           measures.width_m.value, measured.height_m.value, measures.height_m.value,
           measured.area_m2.value, measures.area_m2.value, measured.seen_share);
     }

@@ -16,15 +16,19 @@ class SurveyFrame {
   /// Without control: map itself, an engineering system whose origin is the start of the mission.
   static SurveyFrame local();
 
-  /// `origin`: of survey, in the grid [m]. `crs_wkt`: of the grid. `statement`: what the grid is, a
+  /// `origin`: of survey, in the grid [m]. `crs_wkt`: of the grid. `crs_name`:
+  /// for GeoJSON, "urn:ogc:def:crs:EPSG::n" or the same WKT. `statement`: what the grid is, a
   /// sentence for people.
-  SurveyFrame(Eigen::Vector3d origin, std::string crs_wkt, std::string statement)
+  SurveyFrame(Eigen::Vector3d origin, std::string crs_wkt, std::string crs_name,
+              std::string statement)
       : origin_(std::move(origin)),
         crs_wkt_(std::move(crs_wkt)),
+        crs_name_(std::move(crs_name)),
         statement_(std::move(statement)) {}
 
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }
   [[nodiscard]] const std::string& crs_wkt() const { return crs_wkt_; }
+  [[nodiscard]] const std::string& crs_name() const { return crs_name_; }
   [[nodiscard]] const std::string& statement() const { return statement_; }
 
   /// Easting, northing and elevation.
@@ -38,6 +42,7 @@ class SurveyFrame {
  private:
   Eigen::Vector3d origin_;
   std::string crs_wkt_;
+  std::string crs_name_;
   std::string statement_;
 };
 

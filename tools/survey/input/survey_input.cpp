@@ -7,44 +7,25 @@
 
 #include <fmt/format.h>
 
-#include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
-#include "common/bus/typed_messages.hpp"
-#include "common/messages/mapping/cloud.hpp"
+#include "common/bus/node/recorded_section.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/report/records/play_logs.hpp"
 #include "tools/report/records/state_record.hpp"
+#include "tools/survey/input/scan_hazard_record.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kQueued = 1000;
-
-/// Collects the 3D scans. Beams without return are of no use here and take as much memory.
-class CloudRecord {
- public:
-  explicit CloudRecord(Bus& bus) {
-    subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(kQueued),
-                       [this](const CloudFragment& fragment) {
-                         if (auto cloud = fragments_.add(fragment)) add(std::move(*cloud));
-                       });
+/// Of the first CONFIG that has it, or the default.
+Vehicle vehicle_of(LogInfo& log_info) {
+  for (const auto& [stage, config] : log_info.configs) {
+    if (const auto vehicle =
+            recorded_section<Vehicle>(config, Vehicle::kSection, log_info.warnings))
+      return *vehicle;
   }
-
-  [[nodiscard]] std::vector<Cloud> release() { return std::move(clouds_); }
-
- private:
-  void add(Cloud cloud) {
-    for (CloudLine& line : cloud.lines) {
-      line.misses.clear();
-      line.misses.shrink_to_fit();
-      line.points.shrink_to_fit();
-    }
-    clouds_.push_back(std::move(cloud));
-  }
-
-  CloudReassembler fragments_;
-  std::vector<Cloud> clouds_;
-};
+  return {};
+}
 
 ChannelSet channels_of(const StageBus& bus) {
   ChannelSet channels;
@@ -73,7 +54,7 @@ SurveyInput::SurveyInput(std::vector<std::filesystem::path> logs,
                          const std::function<void(double)>& progress)
     : log_info_(read_log_info(logs)) {
   StateRecord state(bus_);
-  CloudRecord clouds(bus_);
+  ScanHazardRecord scans(bus_, vehicle_of(log_info_));
   play_logs(
       logs, channels_of(bus_), memory_,
       [&](double done) {
@@ -81,7 +62,8 @@ SurveyInput::SurveyInput(std::vector<std::filesystem::path> logs,
       },
       [] {});
   map_ = std::make_unique<MissionMap>(record_);
-  clouds_ = clouds.release();
+  clouds_ = scans.release_clouds();
+  hazards_ = scans.release_hazards();
   exploration_ = state.exploration();
   warnings_ = log_info_.warnings;
   const std::string first = logs.front().string();

@@ -11,6 +11,7 @@
 
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/stage_bus.hpp"
+#include "common/records/hazard.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/exploration.hpp"
 #include "tools/report/mission_map.hpp"
@@ -35,6 +36,8 @@ class SurveyInput {
   [[nodiscard]] const MissionMap& map() const { return *map_; }
   /// 3D scans in the order of the log: scan i has the number i + 1, as in the report.
   [[nodiscard]] const std::vector<Cloud>& clouds() const { return clouds_; }
+  /// Observations of hazards, in the order of the log.
+  [[nodiscard]] const std::vector<Hazard>& hazards() const { return hazards_; }
   /// Last EXPLORATION; nothing if the log has none.
   [[nodiscard]] const std::optional<ExplorationReport>& exploration() const { return exploration_; }
   /// T_world_body of the simulator; empty for a real robot.
@@ -49,6 +52,7 @@ class SurveyInput {
   MapRecord record_{bus_};
   std::unique_ptr<MissionMap> map_;
   std::vector<Cloud> clouds_;
+  std::vector<Hazard> hazards_;
   std::optional<ExplorationReport> exploration_;
   std::vector<std::string> warnings_;
 };

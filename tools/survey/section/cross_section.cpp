@@ -26,6 +26,9 @@ constexpr double kAboveM = 12.0;         // and above it
 constexpr double kFloorShareM = 0.3;     // to either side of the centre line, for floor and roof
 constexpr double kHeightDefaultM = 1.4;  // where no roof is seen
 
+constexpr double kOpeningShare = 0.9;  // of the width of a tunnel: reach of a junction
+constexpr double kNicheShare = 1.5;    // of it: a section that is wider opens to a side
+
 /// A return in the frame of a section.
 struct SectionReturn {
   double u_m = 0.0;
@@ -189,6 +192,17 @@ Measured height_of(const SectionOutline::Ray& ray, double z_middle_m, double sig
 
 }  // namespace
 
+/// The opening of a junction reaches as far along a tunnel as the other one is wide, at most.
+bool CentreLine::is_in_junction(double chainage_m) const {
+  return (from_junction && chainage_m < kOpeningShare * width_m) ||
+         (to_junction && line.length_m() - chainage_m < kOpeningShare * width_m);
+}
+
+bool CrossSection::has_width() const {
+  return !plane.in_junction && std::isfinite(measures.width_m.value) &&
+         measures.width_m.value <= kNicheShare * plane.width_expected_m;
+}
+
 std::vector<CentreLine> centre_lines(const CorridorGraph& corridors, const SurveyGraph& graph) {
   std::vector<CentreLine> lines;
   for (const Corridor& corridor : corridors.corridors) {
@@ -196,7 +210,11 @@ std::vector<CentreLine> centre_lines(const CorridorGraph& corridors, const Surve
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector2d& p_map : corridor.points)
       points.push_back(graph.T_survey_map(graph.node_near(p_map)).plan * p_map);
+    const auto is_junction = [&](int node) {
+      return corridors.nodes[static_cast<std::size_t>(node)].kind == CorridorNode::Kind::kJunction;
+    };
     lines.push_back({static_cast<int>(lines.size()) + 1, corridor.from, corridor.to,
+                     corridor.width_m, is_junction(corridor.from), is_junction(corridor.to),
                      Polyline(std::move(points))});
   }
   return lines;
@@ -210,7 +228,10 @@ std::vector<SectionPlane> section_planes(const std::vector<CentreLine>& lines,
     const double length_m = line.line.length_m();
     const auto count = static_cast<int>(std::floor(length_m / every_m));
     for (int i = 0; i <= count; ++i) {
-      SectionPlane plane{line.tunnel, i * every_m, line.line.at(i * every_m), {}, 0.0};
+      const double chainage_m = i * every_m;
+      SectionPlane plane{line.tunnel, chainage_m, line.line.at(chainage_m)};
+      plane.width_expected_m = line.width_m;
+      plane.in_junction = line.is_in_junction(chainage_m);
       const Eigen::Vector2d chord = line.line.chord_at(plane.chainage_m, kDirectionM);
       if (chord.norm() < 1e-6) continue;
       plane.along = chord.normalized();

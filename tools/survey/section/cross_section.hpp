@@ -19,7 +19,13 @@ struct CentreLine {
   int tunnel = 0;  ///< number, from 1
   int from = 0;    ///< nodes of the corridor graph
   int to = 0;
+  double width_m = 0.0;  ///< median, by the level lasers
+  bool from_junction = false;
+  bool to_junction = false;
   Polyline line;
+
+  /// Whether a place is in the opening of a junction at an end, where the tunnel has no walls.
+  [[nodiscard]] bool is_in_junction(double chainage_m) const;
 };
 
 /// The corridors of the exploration, each point placed by the local map nearest to it.
@@ -32,6 +38,8 @@ struct SectionPlane {
   Eigen::Vector2d p_survey{0.0, 0.0};
   Eigen::Vector2d along{1.0, 0.0};  ///< unit vector
   double z_path_m = 0.0;            ///< of the ground, by the nearest place of the path
+  double width_expected_m = 0.0;    ///< of the tunnel, by the level lasers
+  bool in_junction = false;
 
   [[nodiscard]] Eigen::Vector2d left() const { return {-along.y(), along.x()}; }
 };
@@ -54,6 +62,11 @@ struct CrossSection {
   Measured floor_m;  ///< heights at the centre line; NaN where unseen
   Measured roof_m;
   double plan_sd_m = 0.0;  ///< of the place in survey, in the worst direction
+
+  /// Whether both walls are those of the tunnel: not in a junction or at the opening of a niche.
+  [[nodiscard]] bool has_width() const;
+  /// Whether area and perimeter are those of the tunnel.
+  [[nodiscard]] bool has_area() const { return has_width() && measures.is_closed(); }
 };
 
 /// Planes at multiples of `every_m` along each line, also at its end. `path`: places of the body on

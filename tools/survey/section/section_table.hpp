@@ -11,8 +11,8 @@
 namespace adit {
 
 /// The measures of sections as comma-separated values, a line each; the first line has the names of
-/// the columns, with units. What is unknown is empty: the sides of a width that has no wall, area
-/// and perimeter of a section that is open to a side.
+/// the columns, with units. What is unknown is empty: the width where
+/// the tunnel has no two walls, area and perimeter also where a part of the outline is unseen.
 std::string section_table(const std::vector<CrossSection>& sections, const SurveyFrame& frame);
 
 /// The outlines of sections as comma-separated values, a line for each corner.

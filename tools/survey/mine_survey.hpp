@@ -22,10 +22,10 @@
 namespace adit {
 
 struct SurveyOptions {
-  std::vector<std::filesystem::path> mission;  ///< folder of a mission, or its logs
-  std::filesystem::path folder;                ///< created if it does not exist
-  double every_m = 5.0;                        ///< between cross-sections
-  double cell_m = 0.1;                         ///< of rasters
+  std::vector<std::filesystem::path> mission = {};  ///< folder of a mission, or its logs
+  std::filesystem::path folder = {};                ///< created if it does not exist
+  double every_m = 5.0;                             ///< between cross-sections
+  double cell_m = 0.1;                              ///< of rasters
 };
 
 /// Names the present step and how much of it is done, 0 to 1.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/plan/survey_layers.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,12 @@ using Geometry = VectorLayer::Geometry;
 constexpr Field::Type kInteger = Field::Type::kInteger;
 constexpr Field::Type kNumber = Field::Type::kNumber;
 constexpr Field::Type kText = Field::Type::kText;
+
+/// The cell itself and those beside it, where a place is on the line between void and wall.
+const std::array<Eigen::Vector2i, 9> kBeside{
+    Eigen::Vector2i(0, 0),  Eigen::Vector2i(1, 0),  Eigen::Vector2i(-1, 0),
+    Eigen::Vector2i(0, 1),  Eigen::Vector2i(0, -1), Eigen::Vector2i(1, 1),
+    Eigen::Vector2i(-1, 1), Eigen::Vector2i(1, -1), Eigen::Vector2i(-1, -1)};
 
 /// Builds the layers of one survey.
 class LayerBuilder {
@@ -48,11 +55,15 @@ class LayerBuilder {
     const Eigen::Vector2d p = graph.T_survey_map(node).plan * p_map;
     return {p.x(), p.y(), floor_z_m(p, graph.nodes()[node].T_survey_local.z_m)};
   }
-  /// Of the floor where it is seen, otherwise the given height.
+  /// Of the floor where it is seen there or beside, otherwise the given height.
   [[nodiscard]] double floor_z_m(const Eigen::Vector2d& p_survey, double otherwise_m) const {
     const ColumnGrid& grid = survey_.filled_columns();
-    const SurveyColumn column = grid.columns.get(cell_of(p_survey, grid.cell_m));
-    return std::isfinite(column.floor_m) ? static_cast<double>(column.floor_m) : otherwise_m;
+    const Eigen::Vector2i cell = cell_of(p_survey, grid.cell_m);
+    for (const Eigen::Vector2i& beside : kBeside) {
+      const SurveyColumn column = grid.columns.get(cell + beside);
+      if (std::isfinite(column.floor_m)) return static_cast<double>(column.floor_m);
+    }
+    return otherwise_m;
   }
   [[nodiscard]] Eigen::Vector3d in_grid(const Eigen::Vector3d& p_survey) const {
     return survey_.frame().in_grid(p_survey);

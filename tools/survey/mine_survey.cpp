@@ -29,7 +29,25 @@ const SurveyOptions& checked(const SurveyOptions& options) {
     throw std::invalid_argument(
         fmt::format("the side of a cell is {} to {} m", kCellMinM, kCellMaxM));
   }
+  if (options.control.empty() && !options.crs.empty())
+    throw std::invalid_argument("--crs needs --control: nothing ties the mission to a grid");
+  if (!options.control.empty() && options.crs.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: coordinates of which system? Add --crs EPSG:n, or --crs local for a "
+                    "mine's own grid",
+                    options.control.string()));
+  }
   return options;
+}
+
+SurveyDatum datum_of(const SurveyOptions& options, const SurveyInput& input) {
+  SurveyDatum free = free_datum(input);
+  if (options.control.empty()) return free;
+  const std::string file = options.control.string();
+  const GridSystem grid = grid_system(options.crs);
+  const auto points = find_control(read_control(options.control), input, free.graph, file);
+  require_plausible(points, grid, file);
+  return controlled_datum(input, free.graph, points, grid);
 }
 
 /// Places of the body on the ground, in survey: each placed by the local map of its time.
@@ -70,13 +88,12 @@ void report(const SurveyProgress& progress, const char* step, double done) {
 MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progress)
     : input_(mission_logs(checked(options).mission),
              [&](double done) { report(progress, "reading", done); }),
-      graph_(SurveyGraph::free_network(input_.map().full_map())),
-      frame_(SurveyFrame::local()),
-      cloud_(input_.clouds(), graph_),
-      path_(path_in_survey(input_.map(), graph_)),
-      lines_(lines_of(input_, graph_)) {
+      datum_(datum_of(options, input_)),
+      cloud_(input_.clouds(), datum_.graph),
+      path_(path_in_survey(input_.map(), datum_.graph)),
+      lines_(lines_of(input_, datum_.graph)) {
   report(progress, "measuring", 0.0);
-  occupied_ = occupancy(input_, graph_);
+  occupied_ = occupancy(input_, datum_.graph);
   report(progress, "measuring", 0.3);
   columns_ = column_grid(cloud_, path_, {.cell_m = options.cell_m});
   filled_columns_ = with_gaps_filled(columns_, occupied_ ? &*occupied_ : nullptr);

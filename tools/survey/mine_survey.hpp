@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "common/grid/occupancy_grid.hpp"
+#include "tools/survey/control/survey_datum.hpp"
 #include "tools/survey/frame/registered_cloud.hpp"
 #include "tools/survey/frame/survey_frame.hpp"
 #include "tools/survey/frame/survey_graph.hpp"
@@ -24,6 +25,8 @@ namespace adit {
 struct SurveyOptions {
   std::vector<std::filesystem::path> mission = {};  ///< folder of a mission, or its logs
   std::filesystem::path folder = {};                ///< created if it does not exist
+  std::filesystem::path control = {};               ///< file of control points; empty: a local grid
+  std::string crs = {};                             ///< of the control points: "EPSG:n" or "local"
   double every_m = 5.0;                             ///< between cross-sections
   double cell_m = 0.1;                              ///< of rasters
 };
@@ -36,14 +39,16 @@ using SurveyProgress = std::function<void(const std::string& step, double done)>
 class MineSurvey {
  public:
   /// Throws std::invalid_argument for options out of bounds, and std::runtime_error if a log cannot
-  /// be read, or has no map or no 3D scan.
+  /// be read, or has no map or no 3D scan, and for a file of control
+  /// points that cannot be right (see require_plausible).
   explicit MineSurvey(const SurveyOptions& options, const SurveyProgress& progress = {});
   MineSurvey(const MineSurvey&) = delete;
   MineSurvey& operator=(const MineSurvey&) = delete;
 
   [[nodiscard]] const SurveyInput& input() const { return input_; }
-  [[nodiscard]] const SurveyGraph& graph() const { return graph_; }
-  [[nodiscard]] const SurveyFrame& frame() const { return frame_; }
+  [[nodiscard]] const SurveyGraph& graph() const { return datum_.graph; }
+  [[nodiscard]] const SurveyDatum& datum() const { return datum_; }
+  [[nodiscard]] const SurveyFrame& frame() const { return datum_.frame; }
   [[nodiscard]] const RegisteredCloud& cloud() const { return cloud_; }
   /// Places of the body on the ground, with their local maps.
   [[nodiscard]] const std::vector<Eigen::Vector3d>& path() const { return path_; }
@@ -59,8 +64,7 @@ class MineSurvey {
 
  private:
   SurveyInput input_;
-  SurveyGraph graph_;
-  SurveyFrame frame_;
+  SurveyDatum datum_;
   RegisteredCloud cloud_;
   std::vector<Eigen::Vector3d> path_;
   std::vector<CentreLine> lines_;

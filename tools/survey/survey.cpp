@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "common/files/file_utils.hpp"
 #include "common/pose_graph/map_correction.hpp"
+#include "common/text/message_text.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/survey/files/gdal_support.hpp"
 #include "tools/survey/files/geotiff_file.hpp"
@@ -57,6 +60,14 @@ LasPoints las_points(const MineSurvey& survey) {
   };
 }
 
+std::string suspicion(const ControlResidual& point) {
+  const Eigen::Vector3d& v = point.residual;
+  return fmt::format(
+      "control point {} does not fit: residuals {:.2f}, {:.2f}, {:.2f} m; a blunder, or the others "
+      "lean on one (control.csv)",
+      quote(point.name), v.x(), v.y(), v.z());
+}
+
 void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
   for (const SurveyGraph::Node& node : graph.nodes()) {
     result.plan_sd_max_m = std::max(result.plan_sd_max_m, position_sd_m(node.covariance));
@@ -79,6 +90,11 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   result.warnings = survey.input().warnings();
   add_accuracy(survey.graph(), result);
 
+  for (const ControlResidual& point : survey.datum().residuals) {
+    if (point.is_suspect()) result.warnings.push_back(suspicion(point));
+  }
+  result.control = survey.datum().residuals;
+
   if (progress) progress("writing", 0.0);
   const ResultFolder results(options.folder);
   const fs::path& folder = results.unfinished();
@@ -93,6 +109,8 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   write_geopackage(layers, frame.crs_wkt(), folder / "survey.gpkg");
   write_geojson(layers, frame.crs_name(), frame.statement(), folder / "survey.geojson");
   write_dxf(layers, folder / "survey.dxf");
+  if (!result.control.empty())
+    write_text_file(control_table(result.control), folder / "control.csv");
   write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");
   results.publish();
   if (progress) progress("writing", 1.0);

@@ -21,7 +21,8 @@ struct SurveyResult {
   double plan_sd_max_m =
       0.0;  ///< largest standard deviation of a local map, in the worst direction
   double z_sd_max_m = 0.0;
-  std::vector<std::string> warnings;  ///< one sentence each
+  std::vector<ControlResidual> control;  ///< empty without control
+  std::vector<std::string> warnings;     ///< one sentence each
 };
 
 /// Surveys the mine of a mission and writes the files that `adit survey --help` lists. Throws

@@ -68,6 +68,12 @@ void add_survey_command(CLI::App& adit) {
   command->add_option("--out", options->folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
       ->required();
+  command->add_option("--control", options->control, "Control points with grid coordinates (CSV)")
+      ->type_name("FILE");
+  command
+      ->add_option("--crs", options->crs,
+                   "Coordinate system of the control points: EPSG:n or local")
+      ->type_name("CRS");
   command->add_option("--every", options->every_m, "Distance between cross-sections [m]")
       ->capture_default_str();
   command->add_option("--cell", options->cell_m, "Side of a cell of the rasters [m]")

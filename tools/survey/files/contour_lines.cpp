@@ -46,7 +46,7 @@ double ContourLine::length_m() const {
 std::vector<ContourLine> contour_lines(const Raster& raster, double base, double interval) {
   prepare_gdal();
   std::vector<ContourLine> lines;
-  const std::unique_ptr<void, DestroyGenerator> generator(
+  std::unique_ptr<void, DestroyGenerator> generator(
       GDAL_CG_Create(raster.columns, raster.rows, TRUE, kNoData, interval, base, add_line, &lines));
   if (!generator) throw std::runtime_error("GDAL cannot draw contours");
   std::vector<double> row(static_cast<std::size_t>(raster.columns));
@@ -60,6 +60,7 @@ std::vector<ContourLine> contour_lines(const Raster& raster, double base, double
         CE_None)
       throw std::runtime_error("GDAL cannot draw contours");
   }
+  generator.reset();  // passes on the last lines
   // From pixels, whose first corner is (0, 0), to coordinates.
   for (ContourLine& line : lines) {
     for (Eigen::Vector2d& p : line.points)

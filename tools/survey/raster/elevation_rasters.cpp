@@ -15,7 +15,7 @@ Raster raster_over(const CellBox& box, double cell_m, const SurveyFrame& frame) 
   Raster raster;
   raster.columns = box.size().x();
   raster.rows = box.size().y();
-  raster.cell_m = cell_m;
+  raster.cell_m = frame.scale() * cell_m;
   const Eigen::Vector2d corner = cell_m * Eigen::Vector2d(box.from.x(), box.to.y());
   raster.north_west = frame.in_grid(corner);
   return raster;

@@ -76,7 +76,7 @@ TEST_F(BoxTunnelColumns, ShowTheLevelOfThePathWhereWorkingsCross) {
 
 TEST_F(BoxTunnelColumns, BecomeRastersFromTheNorthWest) {
   const ColumnGrid grid = grid_of(test::scan_of_tunnel(0.0, 10.0, {2.05, 2.2}));
-  const SurveyFrame frame({1000.0, 2000.0, 100.0}, "", "", "");
+  const SurveyFrame frame({1000.0, 2000.0, 100.0}, 1.0, "", "", "");
   const Raster raster = floor_raster(grid, frame);
   EXPECT_NEAR(raster.north_west.x(), 1000.0, 0.11);
   EXPECT_NEAR(raster.north_west.y(), 2002.1, 0.11);

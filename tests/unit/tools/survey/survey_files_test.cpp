@@ -82,14 +82,14 @@ TEST_F(SurveyFiles, GeoPackagesHaveATableForEachLayer) {
   EXPECT_THAT(info, HasSubstr("mine grid"));
 }
 
-/// Pairs of lines, a code and a value, by AutoCAD's DXF reference.
+/// Pairs of lines, a code and a value, by AutoCAD's DXF reference; ~ is a space that does not break.
 TEST_F(SurveyFiles, DrawingsHaveLayersAndTexts) {
   write_dxf(two_layers(), folder_ / "survey.dxf");
   const std::string dxf = test::contents(folder_ / "survey.dxf");
   EXPECT_THAT(dxf, HasSubstr("\n  8\nSTATIONS\n"));
   EXPECT_THAT(dxf, HasSubstr("\n  8\nSTATIONS_TEXT\n"));
   EXPECT_THAT(dxf, HasSubstr("\n  8\nWALLS\n"));
-  EXPECT_THAT(dxf, HasSubstr("\nA 1\n"));
+  EXPECT_THAT(dxf, HasSubstr("\nA\\~1\n"));
   EXPECT_THAT(dxf, HasSubstr("EOF"));
 }
 

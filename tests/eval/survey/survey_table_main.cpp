@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // survey_table MISSIONS..: surveys missions in simulated mines and compares sections, elevations,
 // places and volume with the true mesh, and the errors with the stated standard deviations, as a
-// table in Markdown.
+// table in Markdown. With --control the surveys are tied to a grid by true places of the robot with
+// random errors, and --blunder adds an error to one of them.
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "common/files/file_utils.hpp"
 #include "common/geometry/order_statistics.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/eval/survey/survey_truth.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -93,9 +98,10 @@ void add_sections(const MineSurvey& survey, const SurveyTruth& truth, bool verbo
       std::cerr << format(
           "tunnel %d at %.0f m%s: width %.3f of %.3f, height %.3f of %.3f, area %.2f of %.2f, seen "
           "%.2f\n",
-          section.plane.tunnel, section.plane.chainage_m, section.has_area() ? "" : " (open)", measured.width_m.value,
-          measures.width_m.value, measured.height_m.value, measures.height_m.value,
-          measured.area_m2.value, measures.area_m2.value, measured.seen_share);
+          section.plane.tunnel, section.plane.chainage_m, section.has_area() ? "" : " (open)",
+          measured.width_m.value, measures.width_m.value, measured.height_m.value,
+          measures.height_m.value, measured.area_m2.value, measures.area_m2.value,
+          measured.seen_share);
     }
   }
 }
@@ -126,14 +132,16 @@ void add_elevations(const MineSurvey& survey, const SurveyTruth& truth, Row& row
 }
 
 void add_places(const MineSurvey& survey, const SurveyTruth& truth, Row& row) {
-  for (std::size_t node = 1; node < survey.graph().nodes().size(); ++node) {
+  for (std::size_t node = 0; node < survey.graph().nodes().size(); ++node) {
     const auto T_world = truth.T_world_survey_at(node);
     if (!T_world) continue;
     const SurveyGraph::Node& at = survey.graph().nodes()[node];
     const Eigen::Vector2d p = at.T_survey_local.plan.translation();
     const Eigen::Vector2d real = truth.T_world_survey().plan.inverse() * (T_world->plan * p);
-    for (int axis = 0; axis < 2; ++axis)
-      row.plan_m.add(p[axis] - real[axis], std::sqrt(at.covariance(axis, axis)));
+    for (int axis = 0; axis < 2; ++axis) {
+      if (at.covariance(axis, axis) > 0.0)
+        row.plan_m.add(p[axis] - real[axis], std::sqrt(at.covariance(axis, axis)));
+    }
   }
 }
 
@@ -190,11 +198,51 @@ void add_volume(const MineSurvey& survey, const SurveyTruth& truth, bool verbose
                        measured.volume_m3.sd / volume_m3);
 }
 
-Row score(const std::filesystem::path& mission, bool verbose) {
+// Surveys with control.
+
+struct ControlOptions {
+  int points = 0;
+  double sd_m = 0.02;
+  double blunder_m = 0.0;  ///< of the easting of the second point
+};
+
+/// A mine's own grid: turned, shifted and raised.
+const LevelPose kGridWorld{{3500.0, 8200.0, 0.7}, 231.5};
+
+/// Control points at the robot during 3D scans that are spread over the mission.
+std::string control_text(const SurveyInput& input, const ControlOptions& options) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> error(0.0, options.sd_m);
+  std::string text = "name,easting_m,northing_m,elevation_m,place,sd_m\n";
+  const std::size_t scans = input.clouds().size();
+  for (int i = 0; i < options.points; ++i) {
+    const std::size_t at = (scans - 1) * static_cast<std::size_t>(i) /
+                           static_cast<std::size_t>(std::max(1, options.points - 1)) / 2;
+    const auto pose = interpolate_in_space(input.truth(), input.clouds()[at].utime);
+    if (!pose) continue;
+    const Eigen::Vector3d p = kGridWorld * pose->position();
+    text += format("P%d,%.4f,%.4f,%.4f,time %.6f,%.3f\n", i,
+                   p.x() + error(random) + (i == 1 ? options.blunder_m : 0.0),
+                   p.y() + error(random), p.z() + error(random),
+                   1e-6 * static_cast<double>(input.clouds()[at].utime), options.sd_m);
+  }
+  return text;
+}
+
+Row score(const std::filesystem::path& mission, const ControlOptions& control, bool verbose) {
   SurveyOptions options;
   options.mission = {mission};
+  const test::ScratchFolder scratch;
+  std::optional<LevelPose> T_grid_world;
+  if (control.points > 0) {
+    options.control = scratch / "control.csv";
+    options.crs = "local";
+    write_text_file(control_text(SurveyInput(mission_logs({mission})), control), options.control);
+    T_grid_world = kGridWorld;
+  }
   const MineSurvey survey(options);
-  const SurveyTruth truth(survey);
+  const SurveyTruth truth(survey, T_grid_world);
+  if (verbose) std::cerr << control_table(survey.datum().residuals);
   Row row;
   add_sections(survey, truth, verbose, row);
   add_elevations(survey, truth, row);
@@ -211,7 +259,8 @@ void print_row(const std::string& name, const Row& row) {
             << std::flush;
 }
 
-void print_table(const std::vector<std::filesystem::path>& missions, bool verbose) {
+void print_table(const std::vector<std::filesystem::path>& missions, const ControlOptions& control,
+                 bool verbose) {
   std::cout << "Errors: median of magnitudes (95 % quantile, mean), share within the stated 95 % "
                "interval.\n\n";
   print_heading(
@@ -219,7 +268,7 @@ void print_table(const std::vector<std::filesystem::path>& missions, bool verbos
       "maps in plan, by axis (m) | volume (%) |");
   Row sum;
   for (const std::filesystem::path& mission : missions) {
-    const Row row = score(mission, verbose);
+    const Row row = score(mission, control, verbose);
     print_row(mission.filename().string(), row);
     sum.add(row);
   }
@@ -233,10 +282,14 @@ int main(int argc, char** argv) try {
   CLI::App app("Compares surveys with the true mines, as a table in Markdown");
   std::vector<std::filesystem::path> missions;
   bool verbose = false;
+  adit::ControlOptions control;
   app.add_option("MISSIONS", missions, "Folders or logs of simulated missions")->required();
   app.add_flag("--verbose", verbose, "Print each section to standard error");
+  app.add_option("--control", control.points, "Number of control points; 0: none");
+  app.add_option("--control-sd", control.sd_m, "Standard deviation of their coordinates [m]");
+  app.add_option("--blunder", control.blunder_m, "Error of the easting of the second one [m]");
   CLI11_PARSE(app, argc, argv);
-  adit::print_table(missions, verbose);
+  adit::print_table(missions, control, verbose);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "survey_table: " << error.what() << "\n";

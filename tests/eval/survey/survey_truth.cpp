@@ -27,9 +27,15 @@ LevelPose level_pose(const TimedPose& pose) { return {pose.pose, pose.z_m}; }
 
 }  // namespace
 
-SurveyTruth::SurveyTruth(const MineSurvey& survey)
+SurveyTruth::SurveyTruth(const MineSurvey& survey, const std::optional<LevelPose>& T_grid_world)
     : survey_(survey), site_(world_of(survey.input().log_info())) {
   if (survey.input().truth().empty()) throw std::runtime_error("no TRUTH in the log");
+  if (T_grid_world) {
+    const Eigen::Vector3d& origin = survey.frame().origin();
+    const LevelPose T_grid_survey{{origin.x(), origin.y(), 0.0}, origin.z()};
+    T_world_survey_ = between(*T_grid_world, T_grid_survey);
+    return;
+  }
   // The robot rests in its first scans.
   T_world_survey_ = level_pose(survey.input().truth().front()) *
                     survey.graph().nodes().front().T_survey_local.inverse();

@@ -19,10 +19,10 @@ namespace adit {
 class SurveyTruth {
  public:
   /// The mine of the recorded CONFIG of the simulator. Throws std::runtime_error if the log has
-  /// none, or no TRUTH. `survey` must outlive this.
-  explicit SurveyTruth(const MineSurvey& survey);
+  /// none, or no TRUTH. `survey` must outlive this. `T_grid_world`: of a survey with control;
+  /// without it survey and world are compared at the start of the mission.
+  explicit SurveyTruth(const MineSurvey& survey, const std::optional<LevelPose>& T_grid_world = {});
 
-  /// T_world_survey at the start of the mission, where both frames coincide.
   [[nodiscard]] const LevelPose& T_world_survey() const { return T_world_survey_; }
   /// T_world_survey by the true pose of a local map: what is measured from there is placed without
   /// the error of the graph. Nothing without TRUTH at its time.

@@ -18,7 +18,8 @@ constexpr double kScaleMax = 0.1;   // a larger difference of lengths is no erro
 constexpr double kApartMinM = 2.0;  // closer control points fix no bearing
 constexpr double kReflectedShare = 0.2;  // of the misfit, that of exchanged axes is less
 constexpr double kMisfitMinM = 0.5;
-constexpr double kClimbMinM = 2.0;  // of control, to compare heights with those of the mission
+constexpr double kLevelSdRad = 0.005;  // of the level frame of a 3D scan
+constexpr double kClimbMinM = 2.0;     // of control, to compare heights with those of the mission
 
 [[noreturn]] void fail(const std::string& file, const std::string& reason) {
   throw std::runtime_error(message_line(fmt::format("{}: {}", file, reason)));
@@ -70,7 +71,7 @@ ControlPoint find(const ControlRow& row, const SurveyInput& input, const SurveyG
       const LevelPose T_local_level =
           between(at.T_odom_local, LevelPose{cloud.T_odom_level, cloud.z_odom_m});
       attach(node, at.T_map_local * (T_local_level * row.offset));
-      point.z_sd_m = ScanAccuracy{}.level_sd_rad * row.offset.head<2>().norm();
+      point.z_sd_m = kLevelSdRad * row.offset.head<2>().norm();
       break;
     }
     case ControlRow::Place::kMap:

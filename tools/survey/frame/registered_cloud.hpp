@@ -14,11 +14,8 @@
 
 namespace adit {
 
-/// Errors of a single 3D scan, which the pose graph does not know.
-struct ScanAccuracy {
-  double range_sd_m = 0.01;     ///< of a return along its beam
-  double level_sd_rad = 0.002;  ///< of roll and pitch of the frame "level" against gravity
-};
+/// Standard deviation of a return along its beam [m], which the pose graph does not know.
+inline constexpr double kRangeSdM = 0.01;
 
 /// A 3D scan in the frame of the survey.
 struct PlacedCloud {
@@ -26,6 +23,12 @@ struct PlacedCloud {
   int number = 0;        ///< in the order of the log, from 1
   std::size_t node = 0;  ///< of SurveyGraph, to which it is attached
   LevelPose T_survey_level;
+  Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();  ///< of its level frame
+  double level_sd_rad = 0.0;  ///< of roll and pitch of that frame, corrected
+
+  [[nodiscard]] Eigen::Vector3d in_survey(const Eigen::Vector3d& p_level) const {
+    return T_survey_level * Eigen::Vector3d(correction * p_level);
+  }
 };
 
 /// A return.
@@ -36,12 +39,12 @@ struct SurveyPoint {
 };
 
 /// All 3D scans of a mission in the frame of the survey. A scan is attached to the local map in
-/// whose time its sweep ended, so that it moves with that one.
+/// whose time its sweep ended, so that it moves with that one; its level frame is turned into the
+/// vertical (LevelCorrection).
 class RegisteredCloud {
  public:
   /// `clouds` and `graph` must outlive this.
-  RegisteredCloud(const std::vector<Cloud>& clouds, const SurveyGraph& graph,
-                  const ScanAccuracy& accuracy = {});
+  RegisteredCloud(const std::vector<Cloud>& clouds, const SurveyGraph& graph);
 
   [[nodiscard]] const std::vector<PlacedCloud>& scans() const { return scans_; }
   [[nodiscard]] std::size_t points() const { return points_; }
@@ -53,8 +56,7 @@ class RegisteredCloud {
     for (const PlacedCloud& scan : scans_) {
       for (const CloudLine& line : scan.cloud->lines) {
         for (const Eigen::Vector3f& p_level : line.points) {
-          visit(SurveyPoint{scan.T_survey_level * Eigen::Vector3d(p_level.cast<double>()),
-                            line.utime, &scan});
+          visit(SurveyPoint{scan.in_survey(p_level.cast<double>()), line.utime, &scan});
         }
       }
     }
@@ -68,7 +70,6 @@ class RegisteredCloud {
 
  private:
   const SurveyGraph& graph_;
-  ScanAccuracy accuracy_;
   std::vector<PlacedCloud> scans_;
   std::size_t points_ = 0;
 };

@@ -18,6 +18,7 @@ SurveyGraph SurveyGraph::free_network(const FullMap& map) {
     const auto id = static_cast<std::size_t>(local_map->id);
     Node node;
     node.id = local_map->id;
+    node.session = local_map->session;
     node.T_map_local = {graph.poses[id], id < graph.z_m.size() ? graph.z_m[id] : 0.0};
     node.T_survey_local = node.T_map_local;
     node.T_odom_local = {local_map->T_odom_local, local_map->z_odom_m};

@@ -20,7 +20,8 @@ namespace adit {
 class SurveyGraph {
  public:
   struct Node {
-    int id = 0;  ///< of the local map
+    int id = 0;       ///< of the local map
+    int session = 0;  ///< of its odom frame
     LevelPose T_map_local;
     LevelPose T_survey_local;
     /// Of the plan: (x, y, θ), small motions of the local map along the axes of survey at its

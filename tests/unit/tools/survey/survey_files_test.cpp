@@ -82,7 +82,8 @@ TEST_F(SurveyFiles, GeoPackagesHaveATableForEachLayer) {
   EXPECT_THAT(info, HasSubstr("mine grid"));
 }
 
-/// Pairs of lines, a code and a value, by AutoCAD's DXF reference; ~ is a space that does not break.
+/// Pairs of lines, a code and a value, by AutoCAD's DXF reference; ~ is a space that does not
+/// break.
 TEST_F(SurveyFiles, DrawingsHaveLayersAndTexts) {
   write_dxf(two_layers(), folder_ / "survey.dxf");
   const std::string dxf = test::contents(folder_ / "survey.dxf");

@@ -54,6 +54,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_scan_command(*app);
   add_sim_command(*app);
   add_spy_command(*app);
+  add_survey_command(*app);
   add_view_command(*app);
   add_volume_command(*app);
   return app;

@@ -61,6 +61,7 @@ void add_sample_command(CLI::App& adit);
 void add_scan_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
+void add_survey_command(CLI::App& adit);
 void add_view_command(CLI::App& adit);
 void add_volume_command(CLI::App& adit);
 

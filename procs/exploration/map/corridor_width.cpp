@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/map/corridor_width.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "common/geometry/order_statistics.hpp"
+#include "common/geometry/polyline.hpp"
 
 namespace adit {
 namespace {
@@ -52,30 +52,6 @@ bool stands_free(const WallPart& part, double resolution_m) {
   return static_cast<double>(part.beside_unseen) <= kUnseenShareMax * contacts;
 }
 
-/// A polyline with its length up to each point.
-class Course {
- public:
-  explicit Course(const std::vector<Eigen::Vector2d>& points) : points_(points), at_m_{0.0} {
-    for (std::size_t i = 1; i < points.size(); ++i)
-      at_m_.push_back(at_m_.back() + (points[i] - points[i - 1]).norm());
-  }
-
-  [[nodiscard]] double length_m() const { return at_m_.back(); }
-
-  [[nodiscard]] Eigen::Vector2d at(double distance_m) const {
-    const auto next = std::lower_bound(at_m_.begin(), at_m_.end(), distance_m);
-    const auto i = static_cast<std::size_t>(next - at_m_.begin());
-    if (i == 0) return points_.front();
-    if (i == points_.size()) return points_.back();
-    const double step = at_m_[i] - at_m_[i - 1];
-    return points_[i] + (points_[i - 1] - points_[i]) * ((at_m_[i] - distance_m) / step);
-  }
-
- private:
-  const std::vector<Eigen::Vector2d>& points_;
-  std::vector<double> at_m_;
-};
-
 }  // namespace
 
 CorridorWidth::CorridorWidth(const DrivableSpace& space)
@@ -106,11 +82,10 @@ std::optional<double> CorridorWidth::to_wall(const Eigen::Vector2d& p,
 
 std::optional<double> CorridorWidth::of(const std::vector<Eigen::Vector2d>& points) const {
   if (points.size() < 2) return std::nullopt;
-  const Course course(points);
+  const Polyline course(points);
   std::vector<double> widths_m;
   for (double at = kEveryM / 2.0; at < course.length_m(); at += kEveryM) {
-    const Eigen::Vector2d along = course.at(std::min(at + kDirectionM, course.length_m())) -
-                                  course.at(std::max(at - kDirectionM, 0.0));
+    const Eigen::Vector2d along = course.chord_at(at, kDirectionM);
     if (along.norm() < space_.resolution_m) continue;
     const Eigen::Vector2d left = Eigen::Vector2d(-along.y(), along.x()).normalized();
     const auto to_left = to_wall(course.at(at), left);

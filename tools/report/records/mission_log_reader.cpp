@@ -3,13 +3,10 @@
 #include "tools/report/records/mission_log_reader.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,39 +14,14 @@
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log/event_source.hpp"
-#include "common/bus/memory_bus.hpp"
+#include "tools/report/records/play_logs.hpp"
 
 namespace adit {
 namespace {
 
-using Channels = std::set<std::string, std::less<>>;
-
-constexpr std::size_t kEventsPerProgress = 10'000;
-
-/// Replays the selected channels of logs, one log after the other, each in its order; `after_event`
-/// is called after each event. Throws std::runtime_error for a file that cannot be read.
-void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& selected,
-               MemoryBus& bus, const std::function<void(double)>& progress,
-               const std::function<void()>& after_event) {
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    LogReader reader(logs[i]);
-    std::size_t events = 0;
-    while (const auto event = reader.next()) {
-      if (selected.contains(event->channel) && is_playable_after(event->utime, bus.now_utime())) {
-        bus.inject(event->utime, event->channel, event->data);
-        after_event();
-      }
-      if (++events % kEventsPerProgress != 0) continue;
-      progress((static_cast<double>(i) + reader.fraction_read()) /
-               static_cast<double>(logs.size()));
-    }
-  }
-}
-
 /// All channels that somebody reads. With `remap` those of mapping come from the stage.
-Channels selected_channels(const StageBus& bus, bool remap) {
-  Channels selected;
+ChannelSet selected_channels(const StageBus& bus, bool remap) {
+  ChannelSet selected;
   for (const SubscriptionId id : bus.subscriptions()) selected.emplace(bus.stats(id).channel);
   if (!remap) return selected;
   for (const auto channel : {channels::kLocalMap, channels::kPoseGraph, channels::kMapCorrection,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "common/bus/bus.hpp"
+#include "common/records/hazard.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
@@ -20,14 +20,10 @@
 
 namespace adit {
 
-/// Places that endanger or block the robot, /hazards: cells that block a path (PATH: steps, low
-/// roof, water, drops, slopes), ground without returns and low roof (TERRAIN), gas at the limits of
-/// 30 CFR 75.321 to 75.323 (GAS), and deep sinkage (SINKAGE). Observations of one kind next to each
-/// other are one hazard.
+/// Places that endanger or block the robot, /hazards, by PATH, TERRAIN, GAS and SINKAGE (see
+/// common/records/hazard.hpp). Observations of one kind next to each other are one hazard.
 class HazardLayer {
  public:
-  static constexpr std::size_t kHazardsMax = 1000;
-
   /// All must outlive this.
   HazardLayer(Bus& bus, TopicBoard& board, const MapFrame& frame, const RobotLayer& robot,
               const Vehicle& vehicle);
@@ -41,20 +37,15 @@ class HazardLayer {
   void set_changed(std::int64_t utime);
 
  private:
-  struct Hazard {
-    std::string kind;
-    double value = 0.0;
-    std::string unit;
-    std::string evidence;
-    std::int64_t utime = 0;
+  struct AnchoredHazard {
+    Hazard hazard;
     AnchoredPose T_centre;
-    Eigen::Vector2d size_m{0.0, 0.0};
   };
 
   void on_gas(const GasReading& reading);
   void on_sinkage(const SinkageReading& reading);
-  void add_at_robot(const std::string& kind, double value, const std::string& unit,
-                    const std::string& evidence, std::int64_t utime);
+  [[nodiscard]] LevelPose T_odom_body() const;
+  void add(const std::vector<Hazard>& observed);
   void add(const Hazard& observed);
   [[nodiscard]] std::string hazards_message() const;
 
@@ -64,7 +55,7 @@ class HazardLayer {
   const Vehicle& vehicle_;
   TopicId topic_ = 0;
   std::int64_t utime_ = 0;
-  std::vector<Hazard> hazards_;
+  std::vector<AnchoredHazard> hazards_;
 };
 
 }  // namespace adit

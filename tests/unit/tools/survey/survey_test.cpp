@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/survey/survey.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/tools/report/synthetic_mission_log.hpp"
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class Survey : public testing::Test {
+ protected:
+  SurveyResult survey(const test::MissionLogOptions& log = {}, const SurveyOptions& given = {}) {
+    test::write_mission_log(folder_ / "run.lcmlog", log);
+    SurveyOptions options = given;
+    options.mission = {folder_ / "run.lcmlog"};
+    options.folder = out();
+    return write_survey(options);
+  }
+  [[nodiscard]] fs::path out() const { return folder_ / "survey"; }
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return test::contents(out() / name);
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(Survey, WritesItsFiles) {
+  const SurveyResult result = survey();
+  EXPECT_EQ(result.scans, 2U);
+  EXPECT_THAT(result.frame, HasSubstr("Local grid"));
+  for (const char* name :
+       {"floor.tif", "roof.tif", "height.tif", "deviation.tif", "occupancy.tif", "sections.csv",
+        "outlines.csv", "sections.svg", "profiles.csv", "profiles.svg", "survey.gpkg",
+        "survey.geojson", "survey.dxf", "cloud.las"}) {
+    EXPECT_GT(file(name).size(), 100U) << name;
+  }
+  EXPECT_FALSE(fs::exists(out() / ".unfinished"));
+}
+
+TEST_F(Survey, IsReproducible) {
+  survey();
+  const std::string cloud = file("cloud.las");
+  const std::string sections = file("sections.csv");
+  const std::string plan = file("survey.geojson");
+  survey();
+  EXPECT_TRUE(file("cloud.las") == cloud);
+  EXPECT_EQ(file("sections.csv"), sections);
+  EXPECT_EQ(file("survey.geojson"), plan);
+}
+
+TEST_F(Survey, SaysWhatTheLogLacks) {
+  const SurveyResult result = survey({.omitted_channels = {"EXPLORATION"}});
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("EXPLORATION")));
+  EXPECT_EQ(result.sections, 0U);
+}
+
+TEST_F(Survey, RejectsALogWithoutScansOrMap) {
+  EXPECT_THROW(survey({.omitted_channels = {"CLOUD"}}), std::runtime_error);
+  EXPECT_THROW(survey({.omitted_channels = {"LOCAL_MAP", "POSE_GRAPH"}}), std::runtime_error);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Survey, RejectsOptionsOutOfBounds) {
+  EXPECT_THROW(survey({}, {.every_m = 0.0}), std::invalid_argument);
+  EXPECT_THROW(survey({}, {.cell_m = 5.0}), std::invalid_argument);
+  EXPECT_THROW(write_survey({.mission = {folder_ / "none"}, .folder = out()}),
+               std::invalid_argument);
+  fs::create_directory(folder_ / "empty");
+  EXPECT_THROW(write_survey({.mission = {folder_ / "empty"}, .folder = out()}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/node/stage_bus.hpp"
+#include "common/records/hazard.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/exploration.hpp"
+#include "tools/report/mission_map.hpp"
+#include "tools/report/records/log_info.hpp"
+#include "tools/report/records/map_record.hpp"
+
+namespace adit {
+
+/// What the logs of a mission tell about the mine: local maps with their pose graph, 3D scans
+/// without their misses, and the last state of the exploration. Neither copied nor moved, since its
+/// parts refer to each other.
+class SurveyInput {
+ public:
+  /// Reads the logs. Throws std::runtime_error if a log cannot be read, or if they have no map or
+  /// no 3D scan.
+  SurveyInput(std::vector<std::filesystem::path> logs,
+              const std::function<void(double)>& progress = {});
+  SurveyInput(const SurveyInput&) = delete;
+  SurveyInput& operator=(const SurveyInput&) = delete;
+
+  [[nodiscard]] const LogInfo& log_info() const { return log_info_; }
+  [[nodiscard]] const MissionMap& map() const { return *map_; }
+  /// 3D scans in the order of the log: scan i has the number i + 1, as in the report.
+  [[nodiscard]] const std::vector<Cloud>& clouds() const { return clouds_; }
+  /// Observations of hazards, in the order of the log.
+  [[nodiscard]] const std::vector<Hazard>& hazards() const { return hazards_; }
+  /// Last EXPLORATION; nothing if the log has none.
+  [[nodiscard]] const std::optional<ExplorationReport>& exploration() const { return exploration_; }
+  /// T_world_body of the simulator; empty for a real robot.
+  [[nodiscard]] const Trajectory& truth() const { return record_.truth(); }
+  /// What the logs lack, one sentence each.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  LogInfo log_info_;
+  MemoryBus memory_;
+  StageBus bus_{memory_, StageBus::Measure::kNothing};
+  MapRecord record_{bus_};
+  std::unique_ptr<MissionMap> map_;
+  std::vector<Cloud> clouds_;
+  std::vector<Hazard> hazards_;
+  std::optional<ExplorationReport> exploration_;
+  std::vector<std::string> warnings_;
+};
+
+/// The logs of a mission: those of its folder, or the given ones. Throws std::runtime_error for a
+/// folder without logs.
+std::vector<std::filesystem::path> mission_logs(const std::vector<std::filesystem::path>& given);
+
+}  // namespace adit

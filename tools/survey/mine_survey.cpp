@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/survey/mine_survey.hpp"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "tools/map/full_map.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kEveryMinM = 0.2;
+constexpr double kEveryMaxM = 1000.0;
+constexpr double kCellMinM = 0.05;
+constexpr double kCellMaxM = 1.0;
+
+const SurveyOptions& checked(const SurveyOptions& options) {
+  for (const std::filesystem::path& path : options.mission) {
+    if (!std::filesystem::exists(path))
+      throw std::invalid_argument(fmt::format("{}: no such file or folder", path.string()));
+  }
+  if (!(options.every_m >= kEveryMinM && options.every_m <= kEveryMaxM)) {
+    throw std::invalid_argument(
+        fmt::format("the distance between cross-sections is {} to {} m", kEveryMinM, kEveryMaxM));
+  }
+  if (!(options.cell_m >= kCellMinM && options.cell_m <= kCellMaxM)) {
+    throw std::invalid_argument(
+        fmt::format("the side of a cell is {} to {} m", kCellMinM, kCellMaxM));
+  }
+  if (options.control.empty() && !options.crs.empty())
+    throw std::invalid_argument("--crs needs --control: nothing ties the mission to a grid");
+  if (!options.control.empty() && options.crs.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: coordinates of which system? Add --crs EPSG:n, or --crs local for a "
+                    "mine's own grid",
+                    options.control.string()));
+  }
+  return options;
+}
+
+SurveyDatum datum_of(const SurveyOptions& options, const SurveyInput& input) {
+  SurveyDatum free = free_datum(input);
+  if (options.control.empty()) return free;
+  const std::string file = options.control.string();
+  const GridSystem grid = grid_system(options.crs);
+  const auto points = find_control(read_control(options.control), input, free.graph, file);
+  require_plausible(points, grid, file);
+  return controlled_datum(input, free.graph, points, grid);
+}
+
+/// Places of the body on the ground, in survey: each placed by the local map of its time.
+std::vector<Eigen::Vector3d> path_in_survey(const MissionMap& map, const SurveyGraph& graph) {
+  std::vector<Eigen::Vector3d> path;
+  for (const TimedPose& pose : map.path())
+    path.push_back(graph.T_survey_map(graph.node_at(pose.utime)) * pose.position());
+  return path;
+}
+
+/// The scans of the level lasers, each at the place of its local map in survey. Nothing if the
+/// poses exceed the size of a grid.
+std::optional<OccupancyGrid> occupancy(const SurveyInput& input, const SurveyGraph& graph) {
+  FullMap placed;
+  for (const SurveyGraph::Node& node : graph.nodes()) {
+    const LocalMap& map = *input.map().full_map().local_maps[static_cast<std::size_t>(node.id)];
+    for (const LocalScan& scan : map.scans)
+      placed.scans.push_back(
+          {&scan.channel, &scan.scan, node.T_survey_local.plan * scan.T_local_body});
+  }
+  OccupancyGrid grid{OccupancyGridParams{}};
+  if (!insert_scans(placed, input.log_info().lasers, grid) || grid.observed_box().empty())
+    return std::nullopt;
+  return grid;
+}
+
+std::vector<CentreLine> lines_of(const SurveyInput& input, const SurveyGraph& graph) {
+  if (!input.exploration()) return {};
+  return centre_lines(input.exploration()->corridors, graph);
+}
+
+void report(const SurveyProgress& progress, const char* step, double done) {
+  if (progress) progress(step, done);
+}
+
+}  // namespace
+
+MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progress)
+    : input_(mission_logs(checked(options).mission),
+             [&](double done) { report(progress, "reading", done); }),
+      datum_(datum_of(options, input_)),
+      cloud_(input_.clouds(), datum_.graph),
+      path_(path_in_survey(input_.map(), datum_.graph)),
+      lines_(lines_of(input_, datum_.graph)) {
+  report(progress, "measuring", 0.0);
+  occupied_ = occupancy(input_, datum_.graph);
+  report(progress, "measuring", 0.3);
+  columns_ = column_grid(cloud_, path_, {.cell_m = options.cell_m});
+  filled_columns_ = with_gaps_filled(columns_, occupied_ ? &*occupied_ : nullptr);
+  void_space_ = void_volume(columns_, filled_columns_);
+  report(progress, "measuring", 0.7);
+  sections_ = cross_sections(cloud_, section_planes(lines_, path_, options.every_m));
+}
+
+}  // namespace adit

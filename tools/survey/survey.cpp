@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/survey/survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "common/files/file_utils.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/text/message_text.hpp"
+#include "tools/map/result_folder.hpp"
+#include "tools/survey/files/gdal_support.hpp"
+#include "tools/survey/files/geotiff_file.hpp"
+#include "tools/survey/files/las_file.hpp"
+#include "tools/survey/files/vector_files.hpp"
+#include "tools/survey/plan/survey_layers.hpp"
+#include "tools/survey/raster/elevation_rasters.hpp"
+#include "tools/survey/section/profile.hpp"
+#include "tools/survey/section/section_sheets.hpp"
+#include "tools/survey/section/section_table.hpp"
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kProfileEveryM = 0.5;
+
+void write_rasters(const ColumnGrid& columns, const std::optional<OccupancyGrid>& occupied,
+                   const SurveyFrame& frame, const fs::path& folder,
+                   std::vector<std::string>& warnings) {
+  const std::string& crs = frame.crs_wkt();
+  if (columns.columns.size() == 0) {
+    warnings.emplace_back("no rasters of elevation: no returns near the path");
+  } else {
+    write_geotiff(floor_raster(columns, frame), crs, folder / "floor.tif");
+    write_geotiff(roof_raster(columns, frame), crs, folder / "roof.tif");
+    write_geotiff(height_raster(columns, frame), crs, folder / "height.tif");
+    write_geotiff(deviation_raster(columns, frame), crs, folder / "deviation.tif");
+  }
+  if (!occupied) {
+    warnings.emplace_back("no occupancy.tif: the map has no scan, or exceeds the size of a grid");
+    return;
+  }
+  write_geotiff(occupancy_raster(*occupied, frame), crs, folder / "occupancy.tif");
+}
+
+/// All points of the 3D scans, in the grid.
+LasPoints las_points(const MineSurvey& survey) {
+  return [&survey](const std::function<void(const LasPoint&)>& visit) {
+    survey.cloud().for_each_point([&](const SurveyPoint& point) {
+      const Eigen::Matrix3d covariance = survey.cloud().covariance(point);
+      visit({survey.frame().in_grid(point.p_survey), point.utime,
+             static_cast<std::uint32_t>(point.scan->number),
+             static_cast<float>(position_sd_m(covariance)),
+             static_cast<float>(std::sqrt(covariance(2, 2)))});
+    });
+  };
+}
+
+std::string suspicion(const ControlResidual& point) {
+  const Eigen::Vector3d& v = point.residual;
+  return fmt::format(
+      "control point {} does not fit: residuals {:.2f}, {:.2f}, {:.2f} m; a blunder, or the others "
+      "lean on one (control.csv)",
+      quote(point.name), v.x(), v.y(), v.z());
+}
+
+void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
+  for (const SurveyGraph::Node& node : graph.nodes()) {
+    result.plan_sd_max_m = std::max(result.plan_sd_max_m, position_sd_m(node.covariance));
+    result.z_sd_max_m = std::max(result.z_sd_max_m, std::sqrt(node.z_variance));
+  }
+}
+
+}  // namespace
+
+SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& progress) {
+  const MineSurvey survey(options, progress);
+  const SurveyFrame& frame = survey.frame();
+  SurveyResult result;
+  result.frame = frame.statement();
+  result.scans = survey.cloud().scans().size();
+  result.points = survey.cloud().points();
+  for (const CentreLine& line : survey.lines()) result.length_m += line.line.length_m();
+  result.sections = survey.sections().size();
+  result.void_space = survey.void_space();
+  result.warnings = survey.input().warnings();
+  add_accuracy(survey.graph(), result);
+
+  for (const ControlResidual& point : survey.datum().residuals) {
+    if (point.is_suspect()) result.warnings.push_back(suspicion(point));
+  }
+  result.control = survey.datum().residuals;
+
+  if (progress) progress("writing", 0.0);
+  const ResultFolder results(options.folder);
+  const fs::path& folder = results.unfinished();
+  write_rasters(survey.columns(), survey.occupied(), frame, folder, result.warnings);
+  write_text_file(section_table(survey.sections(), frame), folder / "sections.csv");
+  write_text_file(outline_table(survey.sections(), frame), folder / "outlines.csv");
+  const auto along = profiles(survey.lines(), survey.columns(), kProfileEveryM);
+  write_text_file(sections_svg(survey.sections(), frame), folder / "sections.svg");
+  write_text_file(profile_table(along, frame), folder / "profiles.csv");
+  write_text_file(profiles_svg(along, frame), folder / "profiles.svg");
+  const std::vector<VectorLayer> layers = survey_layers(survey);
+  write_geopackage(layers, frame.crs_wkt(), folder / "survey.gpkg");
+  write_geojson(layers, frame.crs_name(), frame.statement(), folder / "survey.geojson");
+  write_dxf(layers, folder / "survey.dxf");
+  if (!result.control.empty())
+    write_text_file(control_table(result.control), folder / "control.csv");
+  write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");
+  results.publish();
+  if (progress) progress("writing", 1.0);
+  return result;
+}
+
+}  // namespace adit

@@ -51,7 +51,7 @@ std::optional<CellHazard> hazard_of(BlockingCell::Reason reason) {
 /// Whether so little room above the ground is left by a roof, rather than by an obstacle on the
 /// ground or by a rib that overhangs: those begin below the belly, or below what passes for ground
 /// (negative).
-bool is_roof(double clearance_m, const Vehicle& vehicle) {
+bool is_above_belly(double clearance_m, const Vehicle& vehicle) {
   return clearance_m >= vehicle.belly_clearance_m;
 }
 
@@ -128,7 +128,8 @@ std::vector<Hazard> hazards_of(const PlannedPath& path, double z_m, const Vehicl
   for (const BlockingCell& cell : path.blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
-    if (cell.reason == BlockingCell::Reason::kRoof && !is_roof(cell.height_m, vehicle)) continue;
+    if (cell.reason == BlockingCell::Reason::kRoof && !is_above_belly(cell.height_m, vehicle))
+      continue;
     hazards.push_back({hazard->kind,
                        cell.height_m,
                        hazard->unit,
@@ -168,7 +169,7 @@ std::vector<Hazard> hazards_of(const TerrainMap& terrain, int number, double z_m
               regions_of(terrain,
                          [&vehicle](const TerrainCell& cell) {
                            return cell.ground == Ground::kObserved &&
-                                  is_roof(cell.clearance_m, vehicle) &&
+                                  is_above_belly(cell.clearance_m, vehicle) &&
                                   cell.clearance_m < static_cast<float>(vehicle.height_m) &&
                                   cell.coefficient_m < static_cast<float>(vehicle.step_max_m);
                          }),

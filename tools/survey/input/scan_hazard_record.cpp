@@ -30,7 +30,7 @@ ScanHazardRecord::ScanHazardRecord(Bus& bus, const Vehicle& vehicle) {
     const int scan = static_cast<int>(clouds_.size());
     add(hazards_of(*terrain, scan, T_odom_body().z_m, vehicle));
   });
-  subscribe<planned_path_t>(bus, channels::kPath, all, [this](const PlannedPath& path) {
+  subscribe<planned_path_t>(bus, channels::kPath, all, [this, vehicle](const PlannedPath& path) {
     add(hazards_of(path, T_odom_body().z_m, vehicle));
   });
   subscribe<gas_t>(bus, channels::kGas, all, [this](const GasReading& reading) {

@@ -34,6 +34,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->require_subcommand(0, 1);
   app->get_formatter()->column_width(34);
   app->footer(kAppFooter);
+  add_check_driver_command(*app);
   add_completion_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);

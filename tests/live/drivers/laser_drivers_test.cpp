@@ -3,7 +3,10 @@
 // The processes of drivers with emulated lasers on a pseudo-terminal and by TCP, and LCM.
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -87,6 +90,66 @@ TEST(ScipLive, PublishesScansByTcpAndConnectsAgain) {
   ASSERT_TRUE(live.more_scans_arrive(50));
   EXPECT_EQ(live.wrong, 0);
   EXPECT_EQ(live.driver().terminate(), 0);
+}
+
+/// The laser of docs/howto/write_a_driver.md: a line of text ten times a second.
+class TextLaser {
+ public:
+  explicit TextLaser(std::filesystem::path link) : line_(std::move(link)) {}
+
+  PtyLine& line() { return line_; }
+  [[nodiscard]] int scans_sent() const { return static_cast<int>(starts_.size()); }
+  [[nodiscard]] std::int64_t scan_start(int scan) const {
+    return starts_.at(static_cast<std::size_t>(scan));
+  }
+
+  void step(std::int64_t utime) {
+    constexpr std::int64_t kPeriodUs = 100'000;
+    constexpr std::int64_t kScanUs = 50'000;
+    if (next_us_ == 0) next_us_ = utime;
+    if (utime < next_us_) return;
+    starts_.push_back(next_us_ - kScanUs);
+    next_us_ += kPeriodUs;
+    std::string text;
+    for (int beam = 0; beam < 181; ++beam) {
+      text += fmt::format("{} ", reading(scans_sent() - 1, beam));
+    }
+    text += "\n";
+    if (line_.is_plugged())
+      line_.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+
+ private:
+  PtyLine line_;
+  std::int64_t next_us_ = 0;
+  std::vector<std::int64_t> starts_;
+};
+
+/// Runs a program of the page, `command` and what follows it.
+void run_howto(std::vector<std::string> command) {
+  const test::ScratchFolder folder;
+  TextLaser laser(folder / "laser");
+  LiveLaser<TextLaser, TextLaser> live(laser, laser, reading, 0.001);
+  command.insert(command.end(), {(folder / "laser").string(), "LASER_FRONT"});
+  live.start(command);
+  ASSERT_TRUE(live.more_scans_arrive(20));
+  ASSERT_TRUE(live.has_health(Level::kOk));
+  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  laser.line().unplug();
+  ASSERT_TRUE(live.has_health(Level::kFault, "no scans"));
+  laser.line().plug();
+  ASSERT_TRUE(live.more_scans_arrive(10));
+  ASSERT_TRUE(live.has_health(Level::kOk));
+  EXPECT_EQ(live.wrong, 0);
+  EXPECT_TRUE(live.driver().is_running());
+}
+
+TEST(HowToWriteADriver, InCppPublishesScans) { run_howto({HOWTO_CPP}); }
+
+TEST(HowToWriteADriver, InPythonPublishesScans) {
+  const char* const kPython = "/usr/bin/python3";
+  if (!std::filesystem::exists(kPython)) GTEST_SKIP() << "no python3";
+  run_howto({kPython, HOWTO_PYTHON});
 }
 
 }  // namespace

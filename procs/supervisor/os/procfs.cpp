@@ -63,16 +63,45 @@ std::optional<ProcessEntry> parse_process_entry(std::string_view stat) {
   return entry;
 }
 
+namespace {
+
+/// Nothing if the process has ended meanwhile.
+std::optional<ProcessEntry> read_entry(const fs::path& folder) {
+  std::ifstream file(folder / "stat");
+  std::string stat;
+  std::getline(file, stat, '\0');  // the whole file
+  return parse_process_entry(stat);
+}
+
+}  // namespace
+
 ProcessTable ProcessTable::read(const fs::path& proc) {
   std::map<pid_t, ProcessEntry> entries;
   std::error_code gone;
   for (const auto& folder : fs::directory_iterator(proc, gone)) {
     const auto pid = parse_number<pid_t>(folder.path().filename().string());
     if (!pid) continue;
-    std::ifstream file(folder.path() / "stat");
-    std::string stat;
-    std::getline(file, stat, '\0');  // the whole file; fails if the process has ended meanwhile
-    if (const auto entry = parse_process_entry(stat)) entries[*pid] = *entry;
+    if (const auto entry = read_entry(folder.path())) entries[*pid] = *entry;
+  }
+  return ProcessTable(std::move(entries));
+}
+
+ProcessTable ProcessTable::read_descendants(pid_t ancestor, const fs::path& proc) {
+  if (!fs::exists(proc / "self/task" / fs::read_symlink(proc / "self") / "children"))
+    return read(proc);
+  std::map<pid_t, ProcessEntry> entries;
+  std::vector<pid_t> unvisited{ancestor};
+  while (!unvisited.empty()) {
+    const fs::path folder = proc / std::to_string(unvisited.back());
+    unvisited.pop_back();
+    std::error_code gone;
+    for (const auto& thread : fs::directory_iterator(folder / "task", gone)) {
+      std::ifstream children(thread.path() / "children");
+      for (pid_t child = 0; children >> child;) {
+        const auto entry = read_entry(proc / std::to_string(child));
+        if (entry && entries.emplace(child, *entry).second) unvisited.push_back(child);
+      }
+    }
   }
   return ProcessTable(std::move(entries));
 }

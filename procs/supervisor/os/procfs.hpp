@@ -34,6 +34,10 @@ std::optional<ProcessEntry> parse_process_entry(std::string_view stat);
 class ProcessTable {
  public:
   static ProcessTable read(const std::filesystem::path& proc = "/proc");
+  /// The descendants of `ancestor` alone, without itself: takes as long as they are many, not as
+  /// long as all processes are. All processes if the kernel does not list children
+  /// (CONFIG_PROC_CHILDREN).
+  static ProcessTable read_descendants(pid_t ancestor, const std::filesystem::path& proc = "/proc");
   explicit ProcessTable(std::map<pid_t, ProcessEntry> entries) : entries_(std::move(entries)) {}
 
   [[nodiscard]] const std::map<pid_t, ProcessEntry>& entries() const { return entries_; }

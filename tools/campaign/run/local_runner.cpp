@@ -9,14 +9,12 @@
 #include <poll.h>
 
 #include "common/service/wall_time.hpp"
-#include "procs/supervisor/os/procfs.hpp"
 #include "tools/campaign/run/unit_process.hpp"
 
 namespace adit {
 namespace {
 
-/// A unit can exceed its memory limit by what it allocates in this time; reading all of /proc takes
-/// milliseconds.
+/// A unit can exceed its memory limit by what it allocates in this time.
 constexpr std::int64_t kMemoryPeriodUs = 250'000;
 
 using Units = std::vector<std::unique_ptr<UnitProcess>>;
@@ -62,8 +60,7 @@ bool LocalRunner::run(const CampaignPlan& plan, const std::vector<const Campaign
       active.push_back(std::make_unique<UnitProcess>(plan, **next, folder, watcher));
     wait(active, stop_descriptor, memory_us);
     if (steady_us() >= memory_us) {
-      const ProcessTable table = ProcessTable::read();
-      for (const auto& unit : active) unit->check_memory(table);
+      for (const auto& unit : active) unit->check_memory();
       memory_us = steady_us() + kMemoryPeriodUs;
     }
     if (!collect(active, on_result)) return true;

@@ -19,6 +19,7 @@
 
 #include "common/files/file_error.hpp"
 #include "common/service/wall_time.hpp"
+#include "procs/supervisor/os/procfs.hpp"
 
 namespace adit {
 namespace {
@@ -101,8 +102,9 @@ std::optional<UnitResult> UnitProcess::poll() {
   return publish();
 }
 
-void UnitProcess::check_memory(const ProcessTable& table) {
+void UnitProcess::check_memory() {
   if (!child_ || was_killed_) return;
+  const ProcessTable table = ProcessTable::read_descendants(child_->watcher());
   double memory_mb = 0.0;
   for (const pid_t pid : table.descendants_of(child_->watcher()))
     memory_mb += static_cast<double>(table.entries().at(pid).memory_bytes) / kBytesPerMb;

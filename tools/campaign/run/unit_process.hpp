@@ -10,7 +10,6 @@
 
 #include "procs/supervisor/os/child_process.hpp"
 #include "procs/supervisor/os/file_descriptor.hpp"
-#include "procs/supervisor/os/procfs.hpp"
 #include "tools/campaign/definition/campaign_plan.hpp"
 #include "tools/campaign/run/campaign_folder.hpp"
 #include "tools/campaign/run/unit_result.hpp"
@@ -37,7 +36,7 @@ class UnitProcess {
   std::optional<UnitResult> poll();
 
   /// Kills it if its processes take more memory than allowed.
-  void check_memory(const ProcessTable& table);
+  void check_memory();
 
   /// Readable when the unit has ended; −1 if it could not be started.
   [[nodiscard]] int descriptor() const { return ended_.get(); }

@@ -3,14 +3,17 @@
 #include "procs/supervisor/os/procfs.hpp"
 
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "common/files/file_utils.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/supervisor/processes.hpp"
 
 namespace adit {
 namespace {
@@ -52,6 +55,25 @@ TEST(ProcessTable, FindsDescendantsAtAnyDepthInAnInconsistentTable) {
   EXPECT_THAT(table.descendants_of(2), ElementsAre(3, 4));
   EXPECT_THAT(table.children_of(1), ElementsAre(2, 5));
   EXPECT_THAT(table.descendants_of(7), ElementsAre(8));
+}
+
+TEST(ProcessTable, OfDescendantsHasThemAlone) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (fork() == 0) pause();
+    pause();
+  }
+  const auto has_two = [&] {
+    return ProcessTable::read_descendants(getpid()).descendants_of(getpid()).size() == 2;
+  };
+  EXPECT_TRUE(test::becomes_true(has_two));
+  const ProcessTable table = ProcessTable::read_descendants(child);
+  const auto grandchildren = table.descendants_of(child);
+  ASSERT_THAT(grandchildren, testing::SizeIs(1));
+  EXPECT_EQ(table.entries().at(*grandchildren.begin()).parent, child);
+  kill(*grandchildren.begin(), SIGKILL);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
 }
 
 TEST(ProcessTable, ContainsThisProcess) {

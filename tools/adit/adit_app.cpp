@@ -34,11 +34,8 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->require_subcommand(0, 1);
   app->get_formatter()->column_width(34);
   app->footer(kAppFooter);
-<<<<<<< HEAD
   add_campaign_command(*app);
-=======
   add_check_driver_command(*app);
->>>>>>> drivers
   add_completion_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);

@@ -62,12 +62,16 @@ std::vector<Eigen::Vector3d> path_in_survey(const MissionMap& map, const SurveyG
 /// poses exceed the size of a grid.
 std::optional<OccupancyGrid> occupancy(const SurveyInput& input, const SurveyGraph& graph) {
   FullMap placed;
-  for (const SurveyGraph::Node& node : graph.nodes()) {
-    const LocalMap& map = *input.map().full_map().local_maps[static_cast<std::size_t>(node.id)];
-    for (const LocalScan& scan : map.scans)
-      placed.scans.push_back(
-          {&scan.channel, &scan.scan, node.T_survey_local.plan * scan.T_local_body});
-  }
+  placed.visit_scans = [&](const FullMap&, const FullMap::UseScan& use) {
+    for (const SurveyGraph::Node& node : graph.nodes()) {
+      const LocalMap& map = *input.map().full_map().local_maps[static_cast<std::size_t>(node.id)];
+      for (const LocalScan& scan : map.scans) {
+        if (!use({&scan.channel, &scan.scan, node.T_survey_local.plan * scan.T_local_body}))
+          return false;
+      }
+    }
+    return true;
+  };
   OccupancyGrid grid{OccupancyGridParams{}};
   if (!insert_scans(placed, input.log_info().lasers, grid) || grid.observed_box().empty())
     return std::nullopt;

@@ -21,7 +21,7 @@ MapHeights rebuilt_heights(const FullMap& map, const LogInfo& log_info) {
   const LaserMounts mounts{{"LASER_FRONT", log_info.lasers.front},
                            {"LASER_REAR", log_info.lasers.rear}};
   std::vector<LocalMap> maps;
-  std::vector<LocalWalls> walls;
+  WallStore walls;
   for (const LocalMap* local_map : map.local_maps) {
     maps.push_back(*local_map);
     walls.push_back(local_walls(*local_map, mounts, params.walls));

@@ -41,11 +41,13 @@ class LiveLaser {
                            [this](const Heartbeat& beat) { health = beat.health; });
   }
 
+  /// Starts a command.
+  void start(std::vector<std::string> command) { driver_.emplace(std::move(command)); }
+
   /// Starts the program for the front laser, with a configuration.
   void start(const std::string& program, const std::string& yaml) {
     std::ofstream(folder_ / "robot.yaml") << yaml;
-    driver_.emplace(
-        std::vector<std::string>{program, "front", "--config", (folder_ / "robot.yaml").string()});
+    start({program, "front", "--config", (folder_ / "robot.yaml").string()});
   }
 
   /// Runs the laser until something is so, and says whether it became so in 30 s.

@@ -17,8 +17,8 @@ struct CampaignOptions {
   std::filesystem::path folder;
   std::optional<std::filesystem::path> compare = {};  ///< folder of an earlier campaign
   bool on_slurm = false;
-  int jobs = 0;              ///< units at the same time; 0: as many as cores allow
-  int stop_descriptor = -1;  ///< ends the run when it is readable; see StopSignal
+  int jobs = 0;                         ///< units at the same time; 0: as many as cores allow
+  int stop_descriptor = -1;             ///< ends the run when it is readable; see StopSignal
   std::filesystem::path programs = {};  ///< folder of adit and adit-watch; empty: of this program
 };
 

@@ -125,7 +125,6 @@ class SlurmRun {
         on_result_(on_result),
         queue_(runner.programs / "adit-watch"),
         arrays_(runner, plan, folder) {
-    queue_.require_installed();
     for (const CampaignUnit* const unit : units) missing_[unit->id].unit = unit;
   }
 

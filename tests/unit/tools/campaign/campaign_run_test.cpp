@@ -206,6 +206,13 @@ TEST_F(Campaign, WritesAPageWithTheWorstUnitsAndWhatChanged) {
   EXPECT_THAT(page, Not(HasSubstr("src=")));
 }
 
+TEST_F(Campaign, DoesNotBeginIfThereIsNothingToCompareWith) {
+  CampaignOptions campaign_options = options(campaign(""));
+  campaign_options.compare = folder_ / "none";
+  EXPECT_THROW(run_campaign(campaign_options, {}, {}), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Campaign, TellsItsStatus) {
   run(campaign("2) exit 1;;", "  rates: [{name: all, condition: value > 0}]\n", "[1, 2]"));
   const CampaignStatus status = read_campaign_status(folder_ / "out");
@@ -229,6 +236,7 @@ TEST_F(Campaign, ReportsAnExpressionThatIsNotSql) {
               testing::ThrowsMessage<ConfigError>(
                   HasSubstr("c.yaml: campaign.rates[0].condition: no such column: valeu")));
   EXPECT_TRUE(runs().empty());
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 }  // namespace

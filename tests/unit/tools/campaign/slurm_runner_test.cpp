@@ -28,39 +28,29 @@ using testing::IsEmpty;
 
 /// sbatch adds a line to the queue for each task, in the state that the file `state` has, unless
 /// there is a file `down`, and notes that it was called. squeue runs the file `after`.
-constexpr const char* kSbatch = R"(#!/bin/sh
-cd "$(dirname "$0")"["$1" = --version] &&
-                                exit[-e down]&& {
-  echo "sbatch: error: Unable to contact slurm controller" > &2;
-  exit 1;
-}
-[-e rejection]&& {
-  cat rejection > &2;
-  exit 1;
-}
+constexpr const char* kSbatch = R"sh(#!/bin/sh
+cd "$(dirname "$0")"
+[ "$1" = --version ] && exit
+[ -e down ] && { echo "sbatch: error: Unable to contact slurm controller" >&2; exit 1; }
+[ -e rejection ] && { cat rejection >&2; exit 1; }
 echo call >>calls
 name=$(sed -n 's/^#SBATCH --job-name=//p' "$2")
 count=$(sed -n 's/^#SBATCH --array=1-//p' "$2")
-for i in $(seq "$count");
-do echo "9|$name|$i|$(cat state)|None" >> queue; done
-)";
+for i in $(seq "$count"); do echo "9|$name|$i|$(cat state)|None" >>queue; done
+)sh";
 
-constexpr const char* kSqueue = R"(#!/bin/sh
+constexpr const char* kSqueue = R"sh(#!/bin/sh
 cd "$(dirname "$0")"
 [ "$1" = --version ] && exit
-[ -e down ] && {
-  rm down;
-  echo "slurm_load_jobs error: Unable to contact slurm controller" > &2;
-  exit 1;
-}
+[ -e down ] && { rm down; echo "slurm_load_jobs error: Unable to contact" >&2; exit 1; }
 [ ! -e queue ] || cat queue
 [ ! -e after ] || sh after
-)";
+)sh";
 
-constexpr const char* kScancel = R"(#!/bin/sh
+constexpr const char* kScancel = R"sh(#!/bin/sh
 cd "$(dirname "$0")"
 [ "$1" = --version ] || echo "$@" >>cancelled
-)";
+)sh";
 
 class SlurmRunnerTest : public testing::Test {
  protected:

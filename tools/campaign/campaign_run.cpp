@@ -197,11 +197,13 @@ CampaignResult run_campaign(const CampaignOptions& options,
   return run.run(progress, notify);
 }
 
-bool run_campaign_unit(const fs::path& folder_path, const std::string& id, int stop_descriptor) {
+bool run_campaign_unit(const fs::path& folder_path, const std::string& id, int stop_descriptor,
+                       const fs::path& programs) {
   const CampaignFolder folder{fs::absolute(folder_path)};
   if (fs::exists(folder.result(id))) return true;
   const CampaignPlan plan = read_plan(folder.plan(), id);
   LocalRunner runner;
+  runner.watcher = programs / "adit-watch";
   runner.stop_descriptor = stop_descriptor;
   return runner.run(plan, {&plan.units.front()}, folder,
                     [](const auto&, const auto&) { return true; });

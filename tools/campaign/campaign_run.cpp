@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <memory>
+#include <optional>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -14,7 +15,6 @@
 
 #include "common/config/config_file.hpp"
 #include "common/config/number_text.hpp"
-#include "common/files/file_error.hpp"
 #include "common/files/file_utils.hpp"
 #include "common/files/locked_file.hpp"
 #include "tools/campaign/definition/campaign_definition.hpp"
@@ -25,6 +25,7 @@
 #include "tools/campaign/results/stopping_rule.hpp"
 #include "tools/campaign/run/campaign_folder.hpp"
 #include "tools/campaign/run/local_runner.hpp"
+#include "tools/campaign/slurm/slurm_queue.hpp"
 #include "tools/campaign/slurm/slurm_runner.hpp"
 
 namespace adit {
@@ -46,18 +47,43 @@ int jobs_of(const CampaignOptions& options, const CampaignDefinition& definition
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / definition.cores);
 }
 
-/// Removes attempts (see UnitProcess) of processes of this computer that were killed. Those of
-/// tasks on other nodes may still run.
+/// Removes attempts (.ID.HOST.PID, see UnitProcess) at units that have a result, and those of
+/// processes of this computer that were killed. Others on other nodes may still run.
 void remove_old_attempts(const CampaignFolder& folder) {
   const std::string host = "." + host_name() + ".";
   for (const auto& entry : fs::directory_iterator(folder.units())) {
     const std::string name = entry.path().filename().string();
+    if (!name.starts_with('.')) continue;
+    const bool has_result = fs::exists(folder.result(name.substr(1, name.find('.', 1) - 1)));
     const auto at = name.find(host);
-    if (!name.starts_with('.') || at == std::string::npos) continue;
-    const auto pid = parse_number<int>(std::string_view(name).substr(at + host.size()));
-    if (pid && kill(*pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path());
+    const auto pid = at == std::string::npos
+                         ? std::nullopt
+                         : parse_number<int>(std::string_view(name).substr(at + host.size()));
+    const bool was_killed = pid && kill(*pid, 0) != 0 && errno == ESRCH;
+    if (has_result || was_killed) fs::remove_all(entry.path());
   }
 }
+
+/// Creates the folder of a campaign; removes it if it was created here and is not kept.
+class NewCampaignFolder {
+ public:
+  explicit NewCampaignFolder(const CampaignFolder& folder)
+      : path_(folder.path), created_(fs::create_directories(folder.path)) {
+    fs::create_directories(folder.units());
+  }
+  ~NewCampaignFolder() {
+    std::error_code ignored;
+    if (created_) fs::remove_all(path_, ignored);
+  }
+  NewCampaignFolder(const NewCampaignFolder&) = delete;
+  NewCampaignFolder& operator=(const NewCampaignFolder&) = delete;
+
+  void keep() { created_ = false; }
+
+ private:
+  fs::path path_;
+  bool created_;
+};
 
 class CampaignRun {
  public:
@@ -84,6 +110,7 @@ class CampaignRun {
     table_.limit_rows(result.units);
     result.with_result = count_results();
     result.rates = measure_rates(definition_, table_.database());
+    remove_old_attempts(folder_);
     write_page(result);
     return result;
   }
@@ -101,6 +128,7 @@ class CampaignRun {
       if (progress) progress(state);
       return !rule_.update();
     };
+    remove_old_attempts(folder_);
     if (options_.on_slurm) {
       SlurmRunner runner;
       runner.programs = programs_of(options_);
@@ -110,7 +138,6 @@ class CampaignRun {
       runner.notify = notify;
       return runner.run(plan_, missing, folder_, on_result);
     }
-    remove_old_attempts(folder_);
     LocalRunner runner;
     runner.jobs = jobs_of(options_, definition_);
     runner.watcher = programs_of(options_) / "adit-watch";
@@ -162,15 +189,21 @@ CampaignResult run_campaign(const CampaignOptions& options,
   const fs::path folder = folder_of(options.file);
   CampaignPlan plan = make_plan(definition, expand_matrix(file, folder), options.file.string(),
                                 folder, programs_of(options));
-  fs::create_directories(CampaignFolder{options.folder}.units());
-  return CampaignRun(options, std::move(definition), std::move(plan)).run(progress, notify);
+  if (options.compare) require_campaign(*options.compare);
+  if (options.on_slurm) SlurmQueue(programs_of(options) / "adit-watch").require_installed();
+  NewCampaignFolder new_folder({fs::absolute(options.folder)});
+  CampaignRun run(options, std::move(definition), std::move(plan));  // checks the file
+  new_folder.keep();
+  return run.run(progress, notify);
 }
 
-bool run_campaign_unit(const fs::path& folder_path, const std::string& id, int stop_descriptor) {
+bool run_campaign_unit(const fs::path& folder_path, const std::string& id, int stop_descriptor,
+                       const fs::path& programs) {
   const CampaignFolder folder{fs::absolute(folder_path)};
   if (fs::exists(folder.result(id))) return true;
   const CampaignPlan plan = read_plan(folder.plan(), id);
   LocalRunner runner;
+  runner.watcher = programs / "adit-watch";
   runner.stop_descriptor = stop_descriptor;
   return runner.run(plan, {&plan.units.front()}, folder,
                     [](const auto&, const auto&) { return true; });

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/campaign/definition/campaign_plan.hpp"
 #include "tools/campaign/results/rates.hpp"
 
 namespace adit {
@@ -17,8 +18,8 @@ struct CampaignOptions {
   std::filesystem::path folder;
   std::optional<std::filesystem::path> compare = {};  ///< folder of an earlier campaign
   bool on_slurm = false;
-  int jobs = 0;              ///< units at the same time; 0: as many as cores allow
-  int stop_descriptor = -1;  ///< ends the run when it is readable; see StopSignal
+  int jobs = 0;                         ///< units at the same time; 0: as many as cores allow
+  int stop_descriptor = -1;             ///< ends the run when it is readable; see StopSignal
   std::filesystem::path programs = {};  ///< folder of adit and adit-watch; empty: of this program
 };
 
@@ -47,8 +48,10 @@ CampaignResult run_campaign(const CampaignOptions& options,
                             const std::function<void(const std::string&)>& notify);
 
 /// Runs one unit of the plan in the folder, as a task of Slurm does; nothing to do if it has a
-/// result. Returns false if it was stopped by the descriptor. Throws FileError.
+/// result. Returns false if it was stopped by the descriptor. `programs`: folder of adit-watch.
+/// Throws FileError.
 bool run_campaign_unit(const std::filesystem::path& folder, const std::string& id,
-                       int stop_descriptor);
+                       int stop_descriptor,
+                       const std::filesystem::path& programs = own_program_folder());
 
 }  // namespace adit

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/campaign/campaign_status.hpp"
 
-#include <fmt/format.h>
-
 #include "common/files/file_error.hpp"
 #include "common/files/locked_file.hpp"
 #include "common/service/wall_time.hpp"
 #include "tools/campaign/definition/campaign_definition.hpp"
 #include "tools/campaign/page/campaign_html.hpp"
+#include "tools/campaign/results/comparison.hpp"
 #include "tools/campaign/results/result_table.hpp"
 #include "tools/campaign/run/campaign_folder.hpp"
 
@@ -43,8 +42,7 @@ std::optional<double> time_to_go(Database& database, int missing) {
 
 CampaignStatus read_campaign_status(const std::filesystem::path& folder) {
   const CampaignFolder files{folder};
-  if (!std::filesystem::exists(files.database()))
-    throw FileError(fmt::format("{}: no campaign, there is no campaign.db", folder.string()));
+  require_campaign(folder);
   Database database(files.database(), Database::Mode::kRead);
   const CampaignDefinition definition =
       load_campaign(ConfigFile::parse(setting(database, "file"), files.database().string()));

@@ -23,6 +23,7 @@ units=${2:-40}
 # shellcheck source=tests/live/slurm/cluster.sh
 . "$here/cluster.sh"
 folder=$(mktemp -d)
+nodes=()
 trap 'stop_cluster; rm -rf "$folder"' EXIT
 command -v sqlite3 >/dev/null || { echo "skipped: no sqlite3" >&2; exit 77; }
 start_cluster "$folder/cluster"
@@ -64,7 +65,7 @@ start_collector
 until_true 60 has_results $((units / 8)) || fail "no results"
 kill -KILL "$collector"
 wait "$collector" 2>/dev/null || true
-echo "collector killed after $(results) results"
+echo "$SECONDS s: collector killed after $(results) results"
 kill -KILL "$controller_pid"
 start_controller
 start_collector
@@ -72,11 +73,12 @@ until_true 60 has_results $((units / 4)) || fail "no results after the restart o
 node=${nodes[-1]}
 kill -KILL "$(node_pid "$node")"
 processes_of_node "$node" | xargs -r kill -KILL 2>/dev/null || true
-echo "node $node killed after $(results) results"
+echo "$SECONDS s: node $node killed after $(results) results"
 until_true 60 has_results $((units / 2)) || [[ ${#nodes[@]} == 1 ]] || fail "no results without a node"
 start_node "$node"
-until_true 240 bash -c "! kill -0 $collector 2>/dev/null" || fail "the campaign does not end: $(results) results"
+until_true 300 bash -c "! kill -0 $collector 2>/dev/null" || fail "the campaign does not end: $(results) results"
 wait "$collector" || fail "exit code $?"
+echo "$SECONDS s: the campaign has ended"
 cat "$folder/slurm.log"
 
 [[ $(results) == "$units" ]] || fail "$(results) rows"
@@ -94,4 +96,4 @@ echo "units that ran: $(sort -u "$folder/runs" | wc -l), runs: $(wc -l <"$folder
 "$adit" campaign "$folder/campaign.yaml" --out "$folder/local" >/dev/null
 rows='SELECT unit, id, parameters, state, reason, exit_code, n, value FROM campaign'
 diff <(query slurm "$rows") <(query local "$rows") || fail "another table with --on local"
-echo "all $units rows, the same as with --on local"
+echo "$SECONDS s: all $units rows, the same as with --on local"

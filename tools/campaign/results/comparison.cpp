@@ -40,15 +40,18 @@ void add_pairs(RateComparison& comparison, Database& database) {
 
 }  // namespace
 
+void require_campaign(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(CampaignFolder{folder}.database()))
+    throw FileError(fmt::format("{}: no campaign, there is no campaign.db", folder.string()));
+}
+
 std::vector<RateComparison> compare_campaigns(ResultTable& table,
                                               const CampaignDefinition& definition,
                                               const std::filesystem::path& earlier) {
-  const std::filesystem::path file = CampaignFolder{earlier}.database();
-  if (!std::filesystem::exists(file))
-    throw FileError(fmt::format("{}: no campaign, there is no campaign.db", earlier.string()));
+  require_campaign(earlier);
   Database& database = table.database();
   SqlStatement attach = database.prepare("ATTACH ? AS earlier");
-  attach.bind(0, file.string());
+  attach.bind(0, CampaignFolder{earlier}.database().string());
   attach.step();
   table.create_view_of("earlier", kEarlier);
   const std::vector<Rate> now = measure_rates(definition, database);

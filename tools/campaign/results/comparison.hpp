@@ -32,6 +32,9 @@ struct RateComparison {
   std::vector<ChangedUnit> changed;
 };
 
+/// Throws FileError if the folder has no results of a campaign.
+void require_campaign(const std::filesystem::path& folder);
+
 /// Evaluates the rates of this campaign on the results of an earlier one, which may have other
 /// scores: those it lacks are null. Throws FileError if the folder has no campaign.
 std::vector<RateComparison> compare_campaigns(ResultTable& table,

@@ -26,8 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kResultPeriodMs = 500;
-constexpr std::int64_t kQueuePeriodUs = 3'000'000;
+constexpr double kResultPeriodS = 0.5;
 constexpr std::size_t kArrayMax = 1000;  // MaxArraySize of Slurm is 1001 unless configured
 constexpr int kSubmitsMax = 3;
 constexpr int kAbsentMin = 3;  // queries of the queue: a file system of a network shows files late
@@ -126,19 +125,19 @@ class SlurmRun {
         on_result_(on_result),
         queue_(runner.programs / "adit-watch"),
         arrays_(runner, plan, folder) {
-    queue_.require_installed();
     for (const CampaignUnit* const unit : units) missing_[unit->id].unit = unit;
   }
 
   bool run() {
     std::int64_t queue_us = 0;
+    const double period_s = std::min(kResultPeriodS, runner_.queue_period_s);
     while (collect() && !missing_.empty()) {
       if (steady_us() >= queue_us) {
         update_queue();
-        queue_us = steady_us() + kQueuePeriodUs;
+        queue_us = steady_us() + std::llround(1e6 * runner_.queue_period_s);
       }
       pollfd stop{runner_.stop_descriptor, POLLIN, 0};
-      if (poll(&stop, 1, kResultPeriodMs) > 0) return false;
+      if (poll(&stop, 1, static_cast<int>(1e3 * period_s)) > 0) return false;
     }
     cancel_rest();
     return true;

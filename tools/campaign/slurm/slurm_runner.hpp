@@ -22,7 +22,8 @@ struct SlurmRunner {
   std::filesystem::path programs = own_program_folder();  ///< has adit and adit-watch, on all nodes
   int cores = 1;                                          ///< of a unit
   int jobs = 0;  ///< units at the same time in each array; 0: as many as the cluster runs
-  int stop_descriptor = -1;  ///< ends the run when it is readable; tasks continue
+  double queue_period_s = 3.0;  ///< between queries of the queue
+  int stop_descriptor = -1;     ///< ends the run when it is readable; tasks continue
   std::function<void(const std::string&)> notify = [](const std::string&) {};
 
   /// As LocalRunner: submits those units that no task in the queue works on, also after an earlier

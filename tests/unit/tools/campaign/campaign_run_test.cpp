@@ -170,6 +170,43 @@ TEST_F(Campaign, ContinuesAfterAKill) {
     EXPECT_EQ(entry.path().filename().string().size(), 16U) << entry.path();  // no attempt is left
 }
 
+/// Slurm starts a task again whose node seemed dead, and both run to their ends.
+TEST_F(Campaign, TakesTheFirstOfTwoResultsOfAUnit) {
+  CampaignOptions campaign_options = options(
+      campaign("*) touch started.$$; while [ $(ls started.* | wc -l) -lt 2 ]; do sleep 0.02; done; "
+               "echo $$ >{out}/pid;;",
+               "", "[1]"));
+  int stop[2];
+  ASSERT_EQ(pipe(stop), 0);
+  ASSERT_EQ(write(stop[1], "x", 1), 1);
+  campaign_options.stop_descriptor = stop[0];
+  EXPECT_TRUE(run_campaign(campaign_options, {}, {}).interrupted);  // has a plan
+  const std::string id = select("id")[0];
+  std::vector<pid_t> tasks;
+  for (int i = 0; i < 2; ++i) {
+    tasks.push_back(fork());
+    if (tasks.back() != 0) continue;
+    _exit(run_campaign_unit(folder_ / "out", id, -1, campaign_options.programs) ? 0 : 1);
+  }
+  for (const pid_t task : tasks) {
+    int status = -1;
+    waitpid(task, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(runs()["1"], 2);
+  int entries = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "out/units")) {
+    EXPECT_EQ(entry.path().filename(), id);
+    ++entries;
+  }
+  EXPECT_EQ(entries, 1);
+  EXPECT_FALSE(test::contents(folder_ / "out/units" / id / "out/pid").empty());
+  EXPECT_TRUE(run_campaign_unit(folder_ / "out", id, -1, campaign_options.programs));
+  EXPECT_EQ(runs()["1"], 2);  // it has a result
+  close(stop[0]);
+  close(stop[1]);
+}
+
 TEST_F(Campaign, StopsWhenARateIsKnownWellEnough) {
   const std::string keys = "  rates: [{name: even, condition: value % 2 = 0, stop_width: 0.4}]\n";
   const CampaignResult result = run(campaign("", keys, "{from: 1, to: 200}"));
@@ -206,6 +243,13 @@ TEST_F(Campaign, WritesAPageWithTheWorstUnitsAndWhatChanged) {
   EXPECT_THAT(page, Not(HasSubstr("src=")));
 }
 
+TEST_F(Campaign, DoesNotBeginIfThereIsNothingToCompareWith) {
+  CampaignOptions campaign_options = options(campaign(""));
+  campaign_options.compare = folder_ / "none";
+  EXPECT_THROW(run_campaign(campaign_options, {}, {}), std::runtime_error);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
 TEST_F(Campaign, TellsItsStatus) {
   run(campaign("2) exit 1;;", "  rates: [{name: all, condition: value > 0}]\n", "[1, 2]"));
   const CampaignStatus status = read_campaign_status(folder_ / "out");
@@ -229,6 +273,7 @@ TEST_F(Campaign, ReportsAnExpressionThatIsNotSql) {
               testing::ThrowsMessage<ConfigError>(
                   HasSubstr("c.yaml: campaign.rates[0].condition: no such column: valeu")));
   EXPECT_TRUE(runs().empty());
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_F(Survey, WritesItsFiles) {
   for (const char* name :
        {"floor.tif", "roof.tif", "height.tif", "deviation.tif", "occupancy.tif", "sections.csv",
         "outlines.csv", "sections.svg", "profiles.csv", "profiles.svg", "survey.gpkg",
-        "survey.geojson", "survey.dxf", "cloud.las"}) {
+        "survey.geojson", "survey.dxf", "cloud.las", "plan.pdf"}) {
     EXPECT_GT(file(name).size(), 100U) << name;
   }
   EXPECT_FALSE(fs::exists(out() / ".unfinished"));
@@ -53,10 +53,12 @@ TEST_F(Survey, IsReproducible) {
   const std::string cloud = file("cloud.las");
   const std::string sections = file("sections.csv");
   const std::string plan = file("survey.geojson");
+  const std::string sheet = file("plan.pdf");
   survey();
   EXPECT_TRUE(file("cloud.las") == cloud);
   EXPECT_EQ(file("sections.csv"), sections);
   EXPECT_EQ(file("survey.geojson"), plan);
+  EXPECT_TRUE(file("plan.pdf") == sheet);
 }
 
 TEST_F(Survey, SaysWhatTheLogLacks) {

@@ -11,7 +11,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cp "$here/read_survey.mjs" "$work"
-(cd "$work" && npm install --silent --no-fund --no-audit copc@0.0.8 dxf-parser@1 >/dev/null)
+(cd "$work" && npm install --loglevel=error --no-fund --no-audit copc@0.0.8 dxf-parser@1 >/dev/null)
 node "$work/read_survey.mjs" "$survey"
 for layer in $(ogrinfo -q "$survey/survey.gpkg" | sed 's/^[0-9]*: \([a-z_]*\).*/\1/'); do
   echo "survey.gpkg: $layer, $(ogrinfo -so "$survey/survey.gpkg" "$layer" | grep 'Feature Count')"

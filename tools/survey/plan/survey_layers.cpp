@@ -187,7 +187,9 @@ VectorLayer LayerBuilder::sections() const {
           if_known(section.has_width(), m.width_m.sd), known(m.height_m.value),
           known(m.height_m.sd), if_known(section.has_area(), m.area_m2.value),
           if_known(section.has_area(), m.area_m2.sd), section.plan_sd_m, m.seen_share},
-         floor_seen ? fmt::format("{:.2f}", section.floor_m.value + z0) : ""});
+         floor_seen && !section.plane.in_junction
+             ? fmt::format("{:.2f}", section.floor_m.value + z0)
+             : ""});
   }
   return layer;
 }

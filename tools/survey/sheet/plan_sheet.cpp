@@ -20,7 +20,7 @@ constexpr double kPageHeightMm = 297.0;
 constexpr double kMarginMm = 10.0;
 constexpr double kTitleBlockMm = 88.0;  // at the right
 constexpr double kInsetMm = 9.0;        // of the plan in its frame, for coordinates
-constexpr double kGridMm = 50.0;        // about, between lines
+constexpr double kGridMm = 50.0;        // at least, between lines
 constexpr std::array<double, 12> kScales{50.0,   100.0,  200.0,  250.0,   500.0,   1000.0,
                                          2000.0, 2500.0, 5000.0, 10000.0, 20000.0, 50000.0};
 
@@ -103,15 +103,15 @@ void draw_grid(const PlanView& view, PdfPage& page) {
   const double step_m = round_number(view.scale() / 1000.0 * kGridMm);
   const Eigen::Vector2d low = view.in_grid({view.frame().min().x(), view.frame().max().y()});
   const Eigen::Vector2d high = view.in_grid({view.frame().max().x(), view.frame().min().y()});
-  for (double x = std::ceil(low.x() / step_m) * step_m; x < high.x(); x += step_m) {
+  for (double x = step_m * std::ceil(low.x() / step_m); x < high.x(); x += step_m) {
     const double at = view.at({x, low.y()}).x();
     page.line({{at, view.frame().min().y()}, {at, view.frame().max().y()}}, {kPale, 0.1});
-    page.text({at + 0.8, view.frame().max().y() - 1.2}, fmt::format("{:.0f}", x), 2.4, kGrey);
+    page.text({at + 0.8, view.frame().max().y() - 1.2}, fmt::format("{:.0f}", x + 0.0), 2.4, kGrey);
   }
-  for (double y = std::ceil(low.y() / step_m) * step_m; y < high.y(); y += step_m) {
+  for (double y = step_m * std::ceil(low.y() / step_m); y < high.y(); y += step_m) {
     const double at = view.at({low.x(), y}).y();
     page.line({{view.frame().min().x(), at}, {view.frame().max().x(), at}}, {kPale, 0.1});
-    page.text({view.frame().min().x() + 1.0, at - 0.8}, fmt::format("{:.0f}", y), 2.4, kGrey);
+    page.text({view.frame().min().x() + 1.0, at - 0.8}, fmt::format("{:.0f}", y + 0.0), 2.4, kGrey);
   }
 }
 
@@ -170,7 +170,7 @@ void draw_plan(const std::vector<VectorLayer>& layers, const PlanView& view, Pdf
 
 /// Returns the place below it.
 double draw_scale_bar(const PlanView& view, double left, double top, PdfPage& page) {
-  const double part_m = round_number(view.scale() / 1000.0 * 12.0);
+  const double part_m = round_number(view.scale() / 1000.0 * 8.0);
   page.text({left, top}, fmt::format("Scale 1:{:.0f}", view.scale()), 3.6, kBlack);
   for (int i = 0; i < 4; ++i) {
     const Eigen::AlignedBox2d part(Eigen::Vector2d(left + view.mm(part_m) * i, top + 2.0),

@@ -11,23 +11,18 @@
 namespace adit {
 namespace {
 
-constexpr double kEveryMinM = 0.2;
-constexpr double kEveryMaxM = 1000.0;
-constexpr double kCellMinM = 0.05;
-constexpr double kCellMaxM = 1.0;
-
 const SurveyOptions& checked(const SurveyOptions& options) {
   for (const std::filesystem::path& path : options.mission) {
     if (!std::filesystem::exists(path))
       throw std::invalid_argument(fmt::format("{}: no such file or folder", path.string()));
   }
-  if (!(options.every_m >= kEveryMinM && options.every_m <= kEveryMaxM)) {
-    throw std::invalid_argument(
-        fmt::format("the distance between cross-sections is {} to {} m", kEveryMinM, kEveryMaxM));
+  if (!(options.every_m >= kSectionEveryMinM && options.every_m <= kSectionEveryMaxM)) {
+    throw std::invalid_argument(fmt::format("the distance between cross-sections is {} to {} m",
+                                            kSectionEveryMinM, kSectionEveryMaxM));
   }
-  if (!(options.cell_m >= kCellMinM && options.cell_m <= kCellMaxM)) {
+  if (!(options.cell_m >= kSurveyCellMinM && options.cell_m <= kSurveyCellMaxM)) {
     throw std::invalid_argument(
-        fmt::format("the side of a cell is {} to {} m", kCellMinM, kCellMaxM));
+        fmt::format("the side of a cell is {} to {} m", kSurveyCellMinM, kSurveyCellMaxM));
   }
   if (options.control.empty() && !options.crs.empty())
     throw std::invalid_argument("--crs needs --control: nothing ties the mission to a grid");

@@ -22,6 +22,12 @@
 
 namespace adit {
 
+// Bounds of the options below.
+inline constexpr double kSectionEveryMinM = 0.2;
+inline constexpr double kSectionEveryMaxM = 1000.0;
+inline constexpr double kSurveyCellMinM = 0.05;
+inline constexpr double kSurveyCellMaxM = 1.0;
+
 struct SurveyOptions {
   std::vector<std::filesystem::path> mission = {};  ///< folder of a mission, or its logs
   std::filesystem::path folder = {};                ///< created if it does not exist

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
+#include "common/config/bounds.hpp"
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
@@ -21,19 +22,29 @@ namespace {
 constexpr const char* kSurveyDetails =
     R"(Input: the folder of a mission (adit mission, adit report), or its logs.
 
-Outputs in DIR:
+Outputs in DIR, for CAD and GIS:
+  plan.pdf                          plan sheet on A3, to scale, with a statement of its accuracy
+  survey.gpkg, .geojson, .dxf       walls, pillars, contours, tunnels, sections, junctions, frontiers,
+                                    hazards, path, 3D scans, traverse with 95 % ellipses, control
   floor.tif, roof.tif, height.tif   elevation of floor and roof, and their distance (GeoTIFF)
-  deviation.tif                     standard deviations of floor, roof and place, from the pose graph
-  occupancy.tif                     share of scans that each cell reflected
-  sections.csv, outlines.csv        cross-sections along the centre lines of the tunnels
+  deviation.tif, occupancy.tif      standard deviations of floor, roof and place; reflecting cells
+  sections.csv, .svg, outlines.csv  cross-sections: width, height, area, perimeter
+  profiles.csv, .svg                floor and roof along the centre lines
+  cloud.las                         all points (LAS 1.4) with scan, time and standard deviations
+  control.csv                       residuals and tests of the control points, with --control
 
-Everything has a standard deviation that follows from the covariances of the pose graph. Without control the
-coordinate system is a local grid: metres from the start of the mission.)";
+Without control the coordinate system is a local grid: metres from the start of the mission. Control points
+are comma-separated values; the first line names the columns:
+  name,easting_m,northing_m,elevation_m,place,x_m,y_m,z_m,sd_m
+place is where the mission saw the point: start, time SECONDS (the robot then), scan NUMBER (x, y, z in its
+level frame), or map (x, y, z in the local grid). Two points need easting and northing; a level has only an
+elevation. They are observations of the pose graph, which is adjusted again. See docs/howto/survey.md.)";
 
 constexpr const char* kSurveyExamples =
     R"(  adit mission random --seed 7 --in-process --out mission
   adit survey mission --out survey
-  adit survey mission --out survey --every 2           a cross-section every 2 m)";
+  adit survey mission --out survey --every 2           a cross-section every 2 m
+  adit survey mission --out survey --control points.csv --crs EPSG:25832)";
 
 void survey(const SurveyOptions& options) {
   std::optional<RunProgress> progress(std::in_place, options.folder);
@@ -75,9 +86,11 @@ void add_survey_command(CLI::App& adit) {
                    "Coordinate system of the control points: EPSG:n or local")
       ->type_name("CRS");
   command->add_option("--every", options->every_m, "Distance between cross-sections [m]")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(number_in(within(kSectionEveryMinM, kSectionEveryMaxM)));
   command->add_option("--cell", options->cell_m, "Side of a cell of the rasters [m]")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(number_in(within(kSurveyCellMinM, kSurveyCellMaxM)));
   command->callback([options] { survey(*options); });
 }
 

@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// Makes the drivers of GDAL known, and its messages quiet: what fails is reported by
+/// Makes the drivers of GDAL known. It prints no messages from then on: what fails is reported by
 /// `fail_gdal`. Any number of calls.
 void prepare_gdal();
 

@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kPriorSdRad = 0.005;  // accelerometers and mounts
 constexpr double kScanSdRad = 0.0015;  // of a single scan: noise of the attitude
+constexpr double kMatchSdRad =
+    0.004;  // of the tilt between two scans, from relief seen differently
 constexpr double kCellM = 0.25;
 constexpr double kRangeMaxM = 9.0;
 constexpr double kFlatM = 0.1;          // spread of heights in a cell of floor or roof

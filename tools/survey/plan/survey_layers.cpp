@@ -46,6 +46,7 @@ class LayerBuilder {
   [[nodiscard]] VectorLayer path() const;
   [[nodiscard]] VectorLayer scans() const;
   [[nodiscard]] VectorLayer traverse() const;
+  [[nodiscard]] VectorLayer control() const;
 
  private:
   /// A place of map, in survey, on the ground.
@@ -186,7 +187,9 @@ VectorLayer LayerBuilder::sections() const {
           if_known(section.has_width(), m.width_m.sd), known(m.height_m.value),
           known(m.height_m.sd), if_known(section.has_area(), m.area_m2.value),
           if_known(section.has_area(), m.area_m2.sd), section.plan_sd_m, m.seen_share},
-         floor_seen ? fmt::format("{:.2f}", section.floor_m.value + z0) : ""});
+         floor_seen && !section.plane.in_junction
+             ? fmt::format("{:.2f}", section.floor_m.value + z0)
+             : ""});
   }
   return layer;
 }
@@ -301,6 +304,28 @@ VectorLayer LayerBuilder::traverse() const {
   return layer;
 }
 
+VectorLayer LayerBuilder::control() const {
+  VectorLayer layer{"control",
+                    Geometry::kPoint,
+                    {{"name", kText},
+                     {"residual_easting_m", kNumber},
+                     {"residual_northing_m", kNumber},
+                     {"residual_elevation_m", kNumber},
+                     {"suspect", kText}},
+                    {}};
+  for (const ControlResidual& point : survey_.datum().residuals) {
+    Eigen::Vector3d p = point.given;
+    if (!std::isfinite(p.x())) continue;  // a level, whose place is not given
+    if (!std::isfinite(p.z())) p.z() = 0.0;
+    layer.features.push_back(
+        {{p},
+         {point.name, known(point.residual.x()), known(point.residual.y()),
+          known(point.residual.z()), std::string(point.is_suspect() ? "yes" : "no")},
+         point.name});
+  }
+  return layer;
+}
+
 }  // namespace
 
 std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
@@ -308,7 +333,7 @@ std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
   std::vector<VectorLayer> layers{
       builder.walls(),    builder.pillars(),   builder.floor_contours(), builder.centre_lines(),
       builder.sections(), builder.junctions(), builder.frontiers(),      builder.hazards(),
-      builder.path(),     builder.scans(),     builder.traverse()};
+      builder.path(),     builder.scans(),     builder.traverse(),       builder.control()};
   std::erase_if(layers, [](const VectorLayer& layer) { return layer.features.empty(); });
   return layers;
 }

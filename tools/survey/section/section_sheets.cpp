@@ -131,15 +131,19 @@ std::string profile_line(const char* css_class, const Profile& profile, double l
                    left_mm + kAlongMm * point.chainage_m, low_mm - kUpMm * (z_m - low_m));
     drawing = true;
   }
-  return data.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css_class, data);
+  return data.empty() ? ""
+                      : fmt::format(R"(<path class="{}" d="{}"/>
+)",
+                                    css_class, data);
 }
 
 std::string profile_svg(const Profile& profile, const HeightRange& range, double top_mm,
                         const SurveyFrame& frame) {
   const double left = kMarginMm + 14.0;
   const double low = top_mm + 6.0 + kUpMm * (range.high_m - range.low_m);
-  std::string svg = fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">tunnel {}</text>\n", left,
-                                top_mm + 3.0, profile.tunnel);
+  std::string svg = fmt::format(R"(<text x="{:.2f}" y="{:.2f}">tunnel {}</text>
+)",
+                                left, top_mm + 3.0, profile.tunnel);
   const double right = left + kAlongMm * profile.points.back().chainage_m;
   const double z_m = frame.origin().z();
   for (double z = std::ceil(range.low_m + z_m); z <= range.high_m + z_m; z += 1.0) {
@@ -194,8 +198,8 @@ std::string sections_svg(const std::vector<CrossSection>& sections, const Survey
   }
   const double rows = std::ceil(static_cast<double>(shown.size()) / kPerRow);
   parts += fmt::format(
-      "<text x=\"{}\" y=\"{:.2f}\">Cross-sections, 1:100, looking along the centre line; ± 95 %. {}"
-      "</text>\n",
+      R"(<text x="{}" y="{:.2f}">Cross-sections, 1:100, looking along the centre line; ± 95 %. {}</text>
+)",
       kMarginMm, kMarginMm + rows * height_mm + 4.0, frame.statement());
   return svg_document(2.0 * kMarginMm + kPerRow * width_mm,
                       2.0 * kMarginMm + rows * height_mm + 4.0, parts);
@@ -213,8 +217,8 @@ std::string profiles_svg(const std::vector<Profile>& profiles, const SurveyFrame
     width_mm = std::max(width_mm, 30.0 + kAlongMm * profile.points.back().chainage_m);
   }
   parts += fmt::format(
-      "<text x=\"{}\" y=\"{:.2f}\">Longitudinal profiles, lengths 1:250, heights 1:50; floor black "
-      "with its 95 % interval, roof blue. {}</text>\n",
+      R"(<text x="{}" y="{:.2f}">Longitudinal profiles, lengths 1:250, heights 1:50; floor black with its 95 % interval, roof blue. {}</text>
+)",
       kMarginMm, top_mm + 4.0, frame.statement());
   return svg_document(width_mm + kMarginMm, top_mm + 8.0, parts);
 }

@@ -11,9 +11,9 @@
 namespace adit {
 namespace {
 
-constexpr double kStandingMS = 0.01;    // below the creeping speed
-constexpr double kCellM = 0.5;          // of visited places, with their neighbours
-constexpr double kLevelM = 1.5;         // their height
+constexpr double kStandingMS = 0.01;     // below the creeping speed
+constexpr double kCellM = 0.5;           // of visited places, with their neighbours
+constexpr double kLevelM = 1.5;          // their height
 constexpr double kVisitedBeforeM = 3.0;  // of travel ago: not the same visit
 constexpr double kJumpM = 8.0;           // between two poses: a new odom frame, not a motion
 
@@ -89,8 +89,7 @@ void TimeBudget::advance(std::int64_t utime) {
   const double moved_m = state_ ? std::abs(state_->speed_m_s) * elapsed_s : 0.0;
   distance_travelled_m_ += moved_m;
   const Activity now = activity();
-  Share& share =
-      scan_ && now == Activity::kScan ? *scan_ : shares_[static_cast<std::size_t>(now)];
+  Share& share = scan_ && now == Activity::kScan ? *scan_ : shares_[static_cast<std::size_t>(now)];
   if (now != Activity::kScan && last_ != now) ++share.times;
   last_ = now;
   share.duration_s += elapsed_s;
@@ -98,8 +97,8 @@ void TimeBudget::advance(std::int64_t utime) {
 }
 
 void TimeBudget::end_scan(bool path_found) {
-  Share& share = shares_[static_cast<std::size_t>(path_found ? Activity::kScan
-                                                             : Activity::kScanWithoutPath)];
+  Share& share =
+      shares_[static_cast<std::size_t>(path_found ? Activity::kScan : Activity::kScanWithoutPath)];
   share.times += scan_->times;
   share.duration_s += scan_->duration_s;
   share.distance_m += scan_->distance_m;

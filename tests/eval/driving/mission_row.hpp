@@ -34,7 +34,8 @@ void run_rows(std::vector<MissionRow>& rows, const MissionRowOptions& options, i
 
 /// Prints the rows and their sums as tables in Markdown.
 void print_table(const std::vector<MissionRow>& rows);
-/// What the time of each mission went to: seconds by Activity, then the sums with numbers and speeds.
+/// What the time of each mission went to: seconds by Activity, then the sums with numbers and
+/// speeds.
 void print_times(const std::vector<MissionRow>& rows);
 void print_summary(const std::vector<MissionRow>& rows, double wall_s);
 

@@ -31,9 +31,9 @@ struct MissionLog {
   std::vector<BlockedVerdict> verdicts;          ///< each once
   std::optional<ExplorationReport> report;       ///< the last
   TimeBudget budget;
-  int guard_stops = 0;                           ///< while a path was driven
-  double distance_travelled_m = 0.0;             ///< true
-  std::string failure;                           ///< why the run failed; empty if it did not
+  int guard_stops = 0;                ///< while a path was driven
+  double distance_travelled_m = 0.0;  ///< true
+  std::string failure;                ///< why the run failed; empty if it did not
 };
 
 /// Reads a log; poses are sampled at 10 Hz. Throws std::runtime_error if the file is not an LCM

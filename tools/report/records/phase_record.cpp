@@ -28,10 +28,9 @@ PhaseRecord::PhaseRecord(Bus& bus) {
                      [this](const MissionPhase& phase) { on_phase(phase); });
   subscribe<vehicle_state_t>(bus, channels::kVehicleState, Delivery::queued(kQueued),
                              [this](const VehicleState& state) { budget_.add(state); });
-  subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kQueued),
-                    [this](const StampedPose& pose) {
-                      budget_.add(pose.utime, pose.T_odom_body, pose.z_m);
-                    });
+  subscribe<pose_t>(
+      bus, channels::kPose, Delivery::queued(kQueued),
+      [this](const StampedPose& pose) { budget_.add(pose.utime, pose.T_odom_body, pose.z_m); });
   subscribe<scan_request_t>(
       bus, channels::kScanRequest, Delivery::queued(kQueued),
       [this](const ScanRequest& request) { infer(request.utime, Phase::kScan); });

@@ -44,9 +44,10 @@ class LiveLaser {
   /// Starts the program for the front laser, with a configuration.
   void start(const std::string& program, const std::string& yaml) {
     std::ofstream(folder_ / "robot.yaml") << yaml;
-    driver_.emplace(
-        std::vector<std::string>{program, "front", "--config", (folder_ / "robot.yaml").string()});
+    start({program, "front", "--config", (folder_ / "robot.yaml").string()});
   }
+
+  void start(const std::vector<std::string>& command) { driver_.emplace(command); }
 
   /// Runs the laser until something is so, and says whether it became so in 30 s.
   bool run_until(const std::function<bool()>& is_so) {

@@ -52,8 +52,10 @@ for program in "$bin"/adit*; do
   "$program" --help >/dev/null || fail "$name --help"
   programs=$((programs + 1))
   case $name in adit | adit-sim) continue ;; esac
-  "$program" --config "$tree/etc/adit/robot.yaml" --print-config >/dev/null || fail "$name with robot.yaml"
-  "$program" --config simulated.yaml --print-config >/dev/null || fail "$name does not find simulated.yaml"
+  device=()
+  "$program" --help | grep -q '^ *DEVICE ' && device=(front)   # a driver
+  "$program" "${device[@]}" --config "$tree/etc/adit/robot.yaml" --print-config >/dev/null || fail "$name with robot.yaml"
+  "$program" "${device[@]}" --config simulated.yaml --print-config >/dev/null || fail "$name does not find simulated.yaml"
 done
 "$bin/adit" sim bruceton --describe "$scratch/mine.yaml" && [[ -s $scratch/mine.yaml ]] || fail "a world by name"
 "$bin/adit" sim "$tree/usr/share/adit/worlds/straight.yaml" --describe "$scratch/other.yaml" || fail "a world file"

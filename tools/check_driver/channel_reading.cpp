@@ -53,20 +53,23 @@ Result<ChannelReading> read(std::span<const std::uint8_t> bytes) {
   return reading_of(*value);
 }
 
+// From the first beam to the last a scan takes some milliseconds.
+constexpr double kScanAgeMinMs = 2.0;
+
 // Timeouts: those of the guard by default, GuardParams.
 constexpr double kTimeoutS = 0.25;
 constexpr double kSlowTimeoutS = 1.5;
 
 const std::array<DriverChannel, 9> kChannels{
-    {{channels::kLaserFront, 5.0, kTimeoutS, read<planar_lidar_t>},
-     {channels::kLaserRear, 5.0, kTimeoutS, read<planar_lidar_t>},
-     {channels::kTiltFront, 20.0, kTimeoutS, read<tilt_t>},
-     {channels::kTiltRear, 20.0, kTimeoutS, read<tilt_t>},
-     {channels::kWheelOdometry, 10.0, 0.5, read<wheel_odometry_t>},
-     {channels::kImu, 50.0, kTimeoutS, read<imu_t>},
-     {channels::kVehicleState, 5.0, kTimeoutS, read<vehicle_state_t>},
-     {channels::kGas, 1.0, kSlowTimeoutS, read<gas_t>},
-     {channels::kSinkage, 2.0, kSlowTimeoutS, read<sinkage_t>}}};
+    {{channels::kLaserFront, 5.0, kScanAgeMinMs, kTimeoutS, read<planar_lidar_t>},
+     {channels::kLaserRear, 5.0, kScanAgeMinMs, kTimeoutS, read<planar_lidar_t>},
+     {channels::kTiltFront, 20.0, 0.0, kTimeoutS, read<tilt_t>},
+     {channels::kTiltRear, 20.0, 0.0, kTimeoutS, read<tilt_t>},
+     {channels::kWheelOdometry, 10.0, 0.0, 0.5, read<wheel_odometry_t>},
+     {channels::kImu, 50.0, 0.0, kTimeoutS, read<imu_t>},
+     {channels::kVehicleState, 5.0, 0.0, kTimeoutS, read<vehicle_state_t>},
+     {channels::kGas, 1.0, 0.0, kSlowTimeoutS, read<gas_t>},
+     {channels::kSinkage, 2.0, 0.0, kSlowTimeoutS, read<sinkage_t>}}};
 
 }  // namespace
 

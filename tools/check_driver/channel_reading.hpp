@@ -25,6 +25,7 @@ struct ChannelReading {
 struct DriverChannel {
   std::string_view name;
   double rate_min_hz;     ///< below, the stages do not work well
+  double age_min_ms;      ///< a stamp of the time of measurement is older when it arrives
   double interval_max_s;  ///< between two messages, after which the guard stops the vehicle
   Result<ChannelReading> (*read)(std::span<const std::uint8_t> bytes);
 };

@@ -100,6 +100,11 @@ CheckResult check_clock(const DriverChannel& channel, const MessageTimes& times)
                         "computer, or synchronise that of the other one with chrony",
                         -least_ms)};
   }
+  if (usual_ms < channel.age_min_ms) {
+    return {
+        Verdict::kBad, "clock",
+        fmt::format("{}: these are times of arrival; utime is the time of the first beam", text)};
+  }
   if (usual_ms > 500.0 * channel.interval_max_s) {
     return {Verdict::kBad, "clock",
             fmt::format("{}, of {} s that the guard permits: is the clock of the computer or the "

@@ -50,6 +50,8 @@ class LiveLaser {
     start({program, "front", "--config", (folder_ / "robot.yaml").string()});
   }
 
+  void start(const std::vector<std::string>& command) { driver_.emplace(command); }
+
   /// Runs the laser until something is so, and says whether it became so in 30 s.
   bool run_until(const std::function<bool()>& is_so) {
     constexpr std::int64_t kTimeoutUs = 30'000'000;

@@ -49,23 +49,14 @@ constexpr const char* kCheckDriverExamples =
   adit check-driver IMU --seconds 30
   adit check-driver LASER_REAR --log run.lcmlog)";
 
-/// Shared section, on its own.
-struct LaserSection {
-  Lasers lasers;
-  template <class V>
-  void visit(V& v) {
-    v.shared(Lasers::kSection, lasers);
-  }
-};
-
 double range_max_m(const CheckDriverOptions& options) {
   ConfigFile file;
   if (!options.config.empty()) {
     file = ConfigFile::load(find_installed_file(options.config, "config"));
   }
-  const auto section = load_section<LaserSection>(file, Lasers::kSection);
+  const auto lasers = load_section<Lasers>(file, Lasers::kSection);
   const bool is_rear = options.channel == channels::kLaserRear;
-  return is_rear ? section.lasers.rear.range_max_m : section.lasers.front.range_max_m;
+  return is_rear ? lasers.rear.range_max_m : lasers.front.range_max_m;
 }
 
 void listen(const CheckDriverOptions& options, DriverCheck& check) {

@@ -157,6 +157,7 @@ const Mistake kMistakes[] = {
      },
      "neighbours", "interlaced"},
     {"Ahead", [](auto&) {}, "clock", "ahead of their arrival", -400'000},
+    {"Arrival", [](auto&) {}, "clock", "time of the first beam", 500},
     {"Old", [](auto&) {}, "clock", "that the guard permits", 3'600'000'000},
     {"Jitter",
      [](auto& scans) {

@@ -101,6 +101,15 @@ node_pid() { eval "echo \$node_pid_$1"; }
 
 all_nodes_idle() { [[ $(sinfo -h -N -t idle -o %N 2>/dev/null | sort -u | wc -l) == "${#nodes[@]}" ]]; }
 
+# As an administrator does: a controller that was killed has lost its last seconds, starts tasks twice, and drains the
+# nodes on which it finds those.
+resume_drained_nodes() {
+  local node
+  for node in $(sinfo -h -N -t drain -o %N 2>/dev/null | sort -u); do
+    scontrol update NodeName="$node" State=RESUME 2>/dev/null || true
+  done
+}
+
 stop_cluster() {
   local pids=("${controller_pid:-}" "${munged_pid:-}") pid node
   for node in "${nodes[@]}"; do pids+=("$(node_pid "$node")"); done

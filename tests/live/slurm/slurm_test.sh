@@ -48,7 +48,8 @@ echo "  n: {from: 1, to: $units}" >>"$folder/campaign.yaml"
 
 query() { sqlite3 -readonly "$folder/$1/campaign.db" "$2"; }
 results() { query slurm 'SELECT count(*) FROM campaign WHERE state IS NOT NULL' 2>/dev/null || echo 0; }
-has_results() { (($(results) >= $1)); }
+has_results() { resume_drained_nodes; (($(results) >= $1)); }
+has_ended() { resume_drained_nodes; ! kill -0 "$collector" 2>/dev/null; }
 fail() {
   echo "FAILED: $*" >&2
   tail -n 20 "$folder"/cluster/log/slurm* "$folder/slurm.log" "$folder"/slurm/slurm/*.log >&2 || true
@@ -76,7 +77,7 @@ processes_of_node "$node" | xargs -r kill -KILL 2>/dev/null || true
 echo "$SECONDS s: node $node killed after $(results) results"
 until_true 60 has_results $((units / 2)) || [[ ${#nodes[@]} == 1 ]] || fail "no results without a node"
 start_node "$node"
-until_true 300 bash -c "! kill -0 $collector 2>/dev/null" || fail "the campaign does not end: $(results) results"
+until_true 300 has_ended || fail "the campaign does not end: $(results) results"
 wait "$collector" || fail "exit code $?"
 echo "$SECONDS s: the campaign has ended"
 cat "$folder/slurm.log"

@@ -155,7 +155,7 @@ TEST_F(SlurmRunnerTest, LeavesTasksOfAnEarlierRunInTheQueue) {
   for (const CampaignUnit& unit : plan_.units) finish(unit);
   fs::rename(files_.units(), folder_ / "done");
   fs::create_directories(files_.units());
-  write("after", "mv done/* out/units");
+  write("after", "mv done/* out/units 2>/dev/null; true");  // once
   EXPECT_THAT(run(), ElementsAre("ended: ", "ended: "));
   EXPECT_EQ(submits(), 1U);
   EXPECT_EQ(test::contents(folder_ / "cancelled"), "9\n");  // as the fake tasks still run

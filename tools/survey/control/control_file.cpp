@@ -156,8 +156,8 @@ class ControlParser {
   void require_new(const ControlRow& row) const {
     for (const ControlRow& other : rows_) {
       const auto is_twice = [&](const char* what) {
-        fail(fmt::format("{} {} and {} of line {}: a point that is given twice?", quote(row.name),
-                         what, quote(other.name), other.line));
+        fail(fmt::format("{} {} {} of line {}: a point that is given twice?", quote(row.name), what,
+                         quote(other.name), other.line));
       };
       if (other.name == row.name) is_twice("has the same name as");
       if (row.plan && other.plan && (*row.plan - *other.plan).norm() < 1e-3)

@@ -24,6 +24,7 @@ constexpr double kOutlierM = 0.1;        // from the surface
 constexpr double kBelowM = 4.0;          // of the path, where returns are looked for,
 constexpr double kAboveM = 12.0;         // and above it
 constexpr double kFloorShareM = 0.3;     // to either side of the centre line, for floor and roof
+constexpr double kSurfaceM = 0.3;        // thickness of their relief
 constexpr double kHeightDefaultM = 1.4;  // where no roof is seen
 
 constexpr double kOpeningShare = 0.9;  // of the width of a tunnel: reach of a junction
@@ -93,6 +94,15 @@ std::vector<std::vector<SectionReturn>> returns_by_plane(const RegisteredCloud& 
   return returns;
 }
 
+/// The middle of the surface nearest to the open space: of the values up to kSurfaceM behind the
+/// third one, since the first ones may be strays. `distances`: from the open space.
+double nearest_surface_m(std::vector<double> distances) {
+  std::ranges::sort(distances);
+  const double begin = distances[std::min<std::size_t>(2, distances.size() - 1)];
+  const auto end = std::ranges::upper_bound(distances, begin + kSurfaceM);
+  return median({distances.begin(), end});
+}
+
 /// Halfway between the floor and the roof at the centre line.
 double middle_height_m(const std::vector<SectionReturn>& returns, const SectionPlane& plane,
                        const SectionParams& params) {
@@ -101,11 +111,12 @@ double middle_height_m(const std::vector<SectionReturn>& returns, const SectionP
   std::vector<double> above;
   for (const SectionReturn& at : returns) {
     if (std::abs(at.u_m) > kFloorShareM) continue;
-    (at.z_m < open_m ? below : above).push_back(at.z_m);
+    (at.z_m < open_m ? below : above).push_back(std::abs(at.z_m - open_m));
   }
-  const double floor_m = below.empty() ? plane.z_path_m : median(std::move(below));
-  // The lower ones: above the roof are returns from elsewhere.
-  const double roof_m = above.empty() ? floor_m + kHeightDefaultM : quantile(std::move(above), 0.3);
+  const double floor_m =
+      below.empty() ? plane.z_path_m : open_m - nearest_surface_m(std::move(below));
+  const double roof_m =
+      above.empty() ? floor_m + kHeightDefaultM : open_m + nearest_surface_m(std::move(above));
   return 0.5 * (floor_m + roof_m);
 }
 

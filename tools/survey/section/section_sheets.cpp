@@ -152,7 +152,7 @@ std::string profile_svg(const Profile& profile, const HeightRange& range, double
         std::back_inserter(svg),
         R"(<line class="axis" x1="{0:.2f}" y1="{1:.2f}" x2="{2:.2f}" y2="{1:.2f}"/><text class="small" x="{3:.2f}" y="{4:.2f}" text-anchor="end">{5:.0f} m</text>
 )",
-        left, y, right, left - 1.0, y + 0.8, z);
+        left, y, right, left - 1.0, y + 0.8, z + 0.0);  // no minus sign before zero
   }
   for (const ProfilePoint& point : profile.points) {
     if (std::abs(std::remainder(point.chainage_m, kGridM)) > 1e-6) continue;

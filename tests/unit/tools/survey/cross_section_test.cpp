@@ -51,6 +51,18 @@ TEST_F(CrossSections, IgnoreASurfaceBehindTheWall) {
     EXPECT_NEAR(section.measures.width_m.value, 4.0, 0.01);
 }
 
+TEST_F(CrossSections, EndAtTheRoofBelowOtherWorkings) {
+  Cloud cloud = test::scan_of_tunnel(-1.0, 11.0);
+  for (CloudLine line : test::scan_of_tunnel(-1.0, 11.0).lines) {
+    for (Eigen::Vector3f& p : line.points) p.z() += 6.0F;
+    cloud.lines.insert(cloud.lines.end(), {line, line});  // seen more often
+  }
+  for (const CrossSection& section : sections_of(cloud)) {
+    EXPECT_NEAR(section.measures.height_m.value, 2.0, 0.01);
+    EXPECT_NEAR(section.roof_m.value, 2.0, 0.01);
+  }
+}
+
 TEST_F(CrossSections, AreEmptyWithoutReturnsBeside) {
   EXPECT_EQ(sections_of(test::scan_of_tunnel(-1.0, 3.0)).size(), 1U);
 }

@@ -91,7 +91,7 @@ class Bus {
 
   /// Calls the handler whenever this descriptor of a device is readable, while the bus lives. A
   /// replay or a test has no devices and never calls it.
-  virtual void watch(int /*descriptor*/, std::function<void()> /*handler*/) {}  // NOLINT: overrides store it
+  virtual void watch(int /*descriptor*/, std::function<void()> /*handler*/) {}  // NOLINT: stored
 
   /// Bus time [µs since the epoch].
   [[nodiscard]] virtual std::int64_t now_utime() const = 0;

@@ -21,10 +21,12 @@ printf 'EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n' > in.g
 printf '1700000000.4 1700000001.4 0 0 0 0 0 0\n' > in.relations
 "$adit" scan sample --out in_scan.lcmlog >/dev/null || exit 1
 printf '0 0\n1 0\n' > in.txt
+printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
 mapfile -t inputs < <(ls)
 
 # Standard output: command lines that print a result.
 declare -A prints=(
+  [campaign]='campaign in.yaml --out out' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
   [completion]='completion bash' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
   [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'
@@ -41,8 +43,9 @@ declare -A writes=(
   [sim_view]='sim sample --view out.png' [sim_truth]='sim sample --truth out' [sim_describe]='sim sample --describe out.yaml'
   [volume]='volume in_scan.lcmlog --out out')
 # Not here: these print what a supervisor or a mission answers, with the same check at the end (run_adit), or start
-# a program; report and mission need the log of a mission (tests/unit/tools).
-elsewhere=' logs mission order ps reload report restart spy start stop view '
+# a program; report, survey and mission need the log of a mission (tests/unit/tools). The database of a campaign is never the same to
+# the byte (tests/unit/tools/campaign).
+elsewhere=' logs mission order ps reload report restart spy start stop survey view '
 
 for command in $("$adit" --help | sed -n '/^Subcommands:/,/^$/p' | awk '/^  [a-z]/ {print $1}'); do
   [[ " ${!prints[*]} $(printf "%s " "${!writes[@]}" | sed "s|_[a-z]*||g") $elsewhere" == *" $command "* ]] ||

@@ -41,9 +41,6 @@ class LiveLaser {
                            [this](const Heartbeat& beat) { health = beat.health; });
   }
 
-  /// Starts a command.
-  void start(std::vector<std::string> command) { driver_.emplace(std::move(command)); }
-
   /// Starts the program for the front laser, with a configuration.
   void start(const std::string& program, const std::string& yaml) {
     std::ofstream(folder_ / "robot.yaml") << yaml;

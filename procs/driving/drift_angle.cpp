@@ -14,17 +14,18 @@ namespace {
 constexpr double kGroupM = 0.05;
 constexpr double kStepMaxM = 0.5;  // between poses; more, or a turn by more, is no motion
 constexpr double kStepMaxRad = 0.5;
-constexpr auto kGroups = static_cast<std::size_t>(DriftAngle::kWindowM / kGroupM + 0.5) + 1;
+constexpr std::size_t kGroups = 9;  // over the window, with both ends
+static_assert((kGroups - 1) * kGroupM == DriftAngle::kWindowM);
 
 }  // namespace
 
-void DriftAngle::Group::add(const Pose2& T_odom_steered) {
+void PoseGroup::add(const Pose2& T_odom_steered) {
   if (count == 0) T_odom_first = T_odom_steered;
   sum += between(T_odom_first, T_odom_steered).vector();
   ++count;
 }
 
-Pose2 DriftAngle::Group::mean() const {
+Pose2 PoseGroup::mean() const {
   const Eigen::Vector3d mean = sum / count;
   return T_odom_first * Pose2{mean.x(), mean.y(), mean.z()};
 }

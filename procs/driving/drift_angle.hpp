@@ -11,6 +11,16 @@
 
 namespace adit {
 
+/// Poses within a short distance.
+struct PoseGroup {
+  Pose2 T_odom_first;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();  ///< of the poses relative to the first one
+  int count = 0;
+
+  void add(const Pose2& T_odom_steered);
+  [[nodiscard]] Pose2 mean() const;
+};
+
 /// The angle from the heading to the direction in which the steered point moves along the body's x
 /// axis [rad], positive to the left: side slip on a cross slope or of worn tyres, or an error of
 /// the steering (sideslip angle, ISO 8855). Without it PD control keeps an error of twice the angle
@@ -29,21 +39,11 @@ class DriftAngle {
   [[nodiscard]] double angle_rad() const { return angle_rad_; }
 
  private:
-  /// Poses within a short distance.
-  struct Group {
-    Pose2 T_odom_first;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  ///< of the poses relative to the first one
-    int count = 0;
-
-    void add(const Pose2& T_odom_steered);
-    [[nodiscard]] Pose2 mean() const;
-  };
-
   void begin(const Pose2& T_odom_steered);
   void end_group();
   void update_angle();
 
-  std::optional<Group> group_;          ///< the newest
+  std::optional<PoseGroup> group_;      ///< the newest
   std::optional<Pose2> T_odom_before_;  ///< mean of the one before
   double direction_ = 0.0;              ///< of travel: 1, −1 in reverse, 0 unknown
   std::deque<Eigen::Vector2d> p_;       ///< of each group: travelled along the heading, and across

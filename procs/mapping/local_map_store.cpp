@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/local_map_store.hpp"
 
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -57,10 +58,10 @@ void LocalMapStore::push_back(LocalMap map) {
   for (const LocalScan& scan : map.scans) put_scan(scan, bytes);
   offsets_.push_back(scans_->append(bytes.bytes()));
   if (!map.scans.empty()) {
-    LocalScan last = std::move(map.scans.back());
-    last.scan.ranges_m = {};
-    last.unconfirmed_beams = {};
-    map.scans = std::vector<LocalScan>(1, std::move(last));
+    map.scans.erase(map.scans.begin(), std::prev(map.scans.end()));
+    map.scans.shrink_to_fit();
+    map.scans.front().scan.ranges_m = {};
+    map.scans.front().unconfirmed_beams = {};
   }
   maps_.push_back(std::move(map));
 }

@@ -77,14 +77,16 @@ SlurmQueue::Output SlurmQueue::run(const std::vector<std::string>& arguments) co
 
 void SlurmQueue::require_installed() const {
   for (const char* program : {"sbatch", "squeue", "scancel"}) {
+    std::string reason;
     try {
-      if (run({program, "--version"}).succeeded) continue;
-    } catch (const std::runtime_error&) {  // not found
+      const Output output = run({program, "--version"});
+      if (output.succeeded) continue;
+      reason = first_line(output.text);
+    } catch (const std::runtime_error& error) {
+      reason = error.what();
     }
-    throw std::runtime_error(
-        fmt::format("--on slurm requires {}, which does not run here (Debian: "
-                    "slurm-client)",
-                    program));
+    throw std::runtime_error(message_line(
+        fmt::format("--on slurm requires {} (Debian: slurm-client): {}", program, reason)));
   }
 }
 

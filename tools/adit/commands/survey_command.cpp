@@ -74,7 +74,7 @@ void add_survey_command(CLI::App& adit) {
   set_help(*command, {kSurveyDetails, "", kSurveyExamples});
   const auto options = std::make_shared<SurveyOptions>();
   command->add_option("MISSION", options->mission, "Folder of a mission, or its LCM logs")
-      ->type_name("DIR|FILE")
+      ->type_name("DIR")
       ->required();
   command->add_option("--out", options->folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
@@ -84,7 +84,7 @@ void add_survey_command(CLI::App& adit) {
   command
       ->add_option("--crs", options->crs,
                    "Coordinate system of the control points: EPSG:n or local")
-      ->type_name("CRS");
+      ->type_name("NAME");
   command->add_option("--every", options->every_m, "Distance between cross-sections [m]")
       ->capture_default_str()
       ->check(number_in(within(kSectionEveryMinM, kSectionEveryMaxM)));

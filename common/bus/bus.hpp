@@ -91,6 +91,7 @@ class Bus {
 
   /// Calls the handler whenever this descriptor of a device is readable, while the bus lives. A
   /// replay or a test has no devices and never calls it.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): implementations keep it
   virtual void watch(int /*descriptor*/, std::function<void()> /*handler*/) {}
 
   /// Bus time [µs since the epoch].

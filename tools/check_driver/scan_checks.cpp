@@ -182,7 +182,8 @@ int turned_beams(const LaserScan& first, const LaserScan& second) {
     double cost = 0.0;
     int pairs = 0;
     for (int i = std::max(0, -shift); i < std::min(beams, beams - shift); ++i) {
-      const float before = first.ranges_m[static_cast<std::size_t>(i + shift)];
+      const int turned = i + shift;
+      const float before = first.ranges_m[static_cast<std::size_t>(turned)];
       const float after = second.ranges_m[static_cast<std::size_t>(i)];
       if (!is_return(before, kRangeMaxM) || !is_return(after, kRangeMaxM)) continue;
       cost += std::min(0.5, std::abs(static_cast<double>(before) - after));

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The processes of drivers with emulated lasers on a pseudo-terminal and by TCP, and LCM.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +91,30 @@ TEST(ScipLive, PublishesScansByTcpAndConnectsAgain) {
   laser.power_on(wall_utime());
   ASSERT_TRUE(live.more_scans_arrive(50));
   EXPECT_EQ(live.wrong, 0);
+  EXPECT_EQ(live.driver().terminate(), 0);
+}
+
+/// A tunnel of three metres' width with noise, in centimetres.
+std::uint32_t tunnel(int scan, int beam) {
+  const double bearing_rad = (beam - 90) * std::numbers::pi / 180.0;
+  const double range_m = std::min(20.0, 1.5 / std::max(1e-3, std::abs(std::sin(bearing_rad))));
+  return static_cast<std::uint32_t>(100.0 * range_m) + static_cast<std::uint32_t>(scan + beam) % 3;
+}
+
+/// Rate, stamps and clock of real messages, by the command that commissions a robot.
+TEST(CheckDriverLive, FindsTheDriverOfASickGood) {
+  const test::ScratchFolder folder;
+  LmsEmulator laser(
+      {}, [](int scan, int beam) { return static_cast<std::uint16_t>(tunnel(scan, beam)); });
+  laser.already_streams(wall_utime(), 500000);
+  PtyLaser<LmsEmulator> line(folder / "laser", laser);
+  LiveLaser<LmsEmulator, PtyLaser<LmsEmulator>> live(laser, line, tunnel, 0.01);
+  live.start(ADIT_SICK_LMS2XX, fmt::format("sick_lms2xx_front: {{device: {}, baud: 500000}}\n",
+                                           (folder / "laser").string()));
+  ASSERT_TRUE(live.more_scans_arrive(50));
+  DriverProcess check({ADIT, "check-driver", "LASER_FRONT", "--seconds", "5"});
+  ASSERT_TRUE(live.run_until([&] { return !check.is_running(); }));
+  EXPECT_EQ(check.terminate(), 0);
   EXPECT_EQ(live.driver().terminate(), 0);
 }
 

@@ -131,23 +131,45 @@ void draw_void(const std::vector<VectorLayer>& layers, const PlanView& view, Pdf
   page.fill(rings, kRock);
 }
 
+/// Texts of a page, none of which overlaps another: one that would is left out.
+class Labels {
+ public:
+  explicit Labels(PdfPage& page) : page_(page) {}
+
+  void add(const Eigen::Vector2d& at, const std::string& text, double size_mm, const Ink& ink) {
+    const double width_mm = kWidthShare * size_mm * static_cast<double>(text.size());
+    const Eigen::AlignedBox2d box(at - Eigen::Vector2d(0.0, size_mm),
+                                  at + Eigen::Vector2d(width_mm, 0.2 * size_mm));
+    if (std::ranges::any_of(boxes_, [&](const auto& other) { return other.intersects(box); }))
+      return;
+    boxes_.push_back(box);
+    page_.text(at, text, size_mm, ink);
+  }
+
+ private:
+  static constexpr double kWidthShare = 0.6;  // of a character, of its size
+
+  PdfPage& page_;
+  std::vector<Eigen::AlignedBox2d> boxes_;
+};
+
 void draw_points(const VectorLayer* layer, const PlanView& view, Mark mark, const Ink& ink,
-                 double size_mm, bool labels, PdfPage& page) {
+                 double size_mm, PdfPage& page, Labels& labels) {
   if (layer == nullptr) return;
   for (const VectorFeature& feature : layer->features) {
-    if (labels && feature.label.empty()) continue;
+    if (feature.label.empty()) continue;
     const Eigen::Vector2d at = view.at(feature.points.front().head<2>());
     page.mark(at, mark, size_mm, ink);
-    if (labels) page.text(at + Eigen::Vector2d(1.2, 0.8), feature.label, 2.0, ink);
+    labels.add(at + Eigen::Vector2d(1.2, 0.8), feature.label, 2.0, ink);
   }
 }
 
 void draw_labels(const VectorLayer* layer, const PlanView& view, double size_mm, const Ink& ink,
-                 PdfPage& page) {
+                 Labels& labels) {
   if (layer == nullptr) return;
   for (const VectorFeature& feature : layer->features) {
     const Eigen::Vector3d& p = feature.points[feature.points.size() / 2];
-    page.text(view.at(p.head<2>()) + Eigen::Vector2d(0.6, -0.6), feature.label, size_mm, ink);
+    labels.add(view.at(p.head<2>()) + Eigen::Vector2d(0.6, -0.6), feature.label, size_mm, ink);
   }
 }
 
@@ -159,11 +181,12 @@ void draw_plan(const std::vector<VectorLayer>& layers, const PlanView& view, Pdf
   draw_lines(find(layers, "walls"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "pillars"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "centre_lines"), view, {kBlue, 0.15, true}, page);
-  draw_labels(find(layers, "centre_lines"), view, 2.8, kBlue, page);
-  draw_points(find(layers, "sections"), view, Mark::kCross, kBlack, 0.8, true, page);
-  draw_points(find(layers, "hazards"), view, Mark::kTriangle, kRed, 1.6, true, page);
-  draw_points(find(layers, "frontiers"), view, Mark::kCircle, kOrange, 1.4, true, page);
-  draw_points(find(layers, "control"), view, Mark::kTriangle, kGreen, 2.4, true, page);
+  Labels labels(page);  // the most important first
+  draw_points(find(layers, "control"), view, Mark::kTriangle, kGreen, 2.4, page, labels);
+  draw_labels(find(layers, "centre_lines"), view, 2.8, kBlue, labels);
+  draw_points(find(layers, "frontiers"), view, Mark::kCircle, kOrange, 1.4, page, labels);
+  draw_points(find(layers, "sections"), view, Mark::kCross, kBlack, 0.8, page, labels);
+  draw_points(find(layers, "hazards"), view, Mark::kTriangle, kRed, 1.6, page, labels);
   page.end_clip();
   page.rectangle(view.frame(), {kBlack, 0.35});
 }

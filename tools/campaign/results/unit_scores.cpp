@@ -77,7 +77,7 @@ class ScoreFiles {
     const std::string text = read_text_file(output_ / name);
     if (name.ends_with(".tsv")) return last_row(text, '\t');
     if (name.ends_with(".csv")) return last_row(text, ',');
-    const Json json = Json::parse(text, nullptr, false);
+    Json json = Json::parse(text, nullptr, false);
     if (json.is_discarded()) throw std::runtime_error(name + " is not JSON");
     return json;
   }

@@ -70,7 +70,7 @@ class SlurmArrays {
     std::string list;
     for (const std::string& id : ids) list += id + "\n";
     const fs::path list_file = folder_.slurm() / fmt::format("{}.txt", number);
-    const fs::path script = folder_.slurm() / fmt::format("{}.sh", number);
+    fs::path script = folder_.slurm() / fmt::format("{}.sh", number);
     write_text_file(list, list_file);
     write_text_file(script_text(number, ids.size(), list_file), script);
     arrays_[number] = ids;

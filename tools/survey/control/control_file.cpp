@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::array<const char*, 9> kColumns{
     "name", "easting_m", "northing_m", "elevation_m", "place", "x_m", "y_m", "z_m", "sd_m"};
-constexpr double kSdMaxM = 10.0;
+constexpr double kControlSdMaxM = 10.0;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
@@ -147,8 +147,8 @@ class ControlParser {
     row.offset = {number("x_m").value_or(0.0), number("y_m").value_or(0.0),
                   number("z_m").value_or(0.0)};
     row.sd_m = number("sd_m").value_or(row.sd_m);
-    if (row.sd_m <= 0.0 || row.sd_m > kSdMaxM)
-      fail(fmt::format("sd_m is above 0 and up to {:.0f}", kSdMaxM));
+    if (row.sd_m <= 0.0 || row.sd_m > kControlSdMaxM)
+      fail(fmt::format("sd_m is above 0 and up to {:.0f}", kControlSdMaxM));
     require_new(row);
     rows_.push_back(std::move(row));
   }

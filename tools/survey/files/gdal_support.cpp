@@ -27,7 +27,7 @@ std::string wkt1_of(const std::string& crs_wkt) {
     CPLFree(text);
     throw std::runtime_error("the coordinate system cannot be written as WKT 1");
   }
-  const std::string wkt1 = text;
+  std::string wkt1 = text;
   CPLFree(text);
   return wkt1;
 }

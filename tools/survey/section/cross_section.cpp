@@ -184,8 +184,10 @@ SectionOutline outline_of(const std::vector<SectionReturn>& returns, double z_mi
     const double z = at.z_m - z_middle_m;
     const double angle = std::atan2(z, at.u_m) / kStep;
     const double nearest = std::round(angle);
-    const auto ray = static_cast<std::size_t>(static_cast<int>(nearest) + static_cast<int>(kRays));
-    by_ray[ray % kRays].push_back(
+    const int turn = static_cast<int>(kRays);
+    const int wrapped = (static_cast<int>(nearest) + turn) % turn;
+    const auto ray = static_cast<std::size_t>(wrapped);
+    by_ray[ray].push_back(
         {std::hypot(at.u_m, z), (angle - nearest) * kStep, at.v_m, at.sd_m, at.scan});
   }
   SectionOutline outline;

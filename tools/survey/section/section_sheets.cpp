@@ -191,7 +191,8 @@ std::string sections_svg(const std::vector<CrossSection>& sections, const Survey
   std::string parts;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const auto column = static_cast<double>(i % kPerRow);
-    const auto row = static_cast<double>(i / kPerRow);
+    const std::size_t rows_above = i / kPerRow;
+    const auto row = static_cast<double>(rows_above);
     const Eigen::Vector2d middle(kMarginMm + (column + 0.5) * width_mm,
                                  kMarginMm + row * height_mm + 6.0 + kSectionMm * extent.up_m);
     parts += section_svg(*shown[i], middle, extent, frame);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -142,12 +143,14 @@ double PdfPage::paragraph(const Eigen::Vector2d& at, double width_mm, const std:
     line.clear();
   };
   for (std::string word; words >> word;) {
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
     if (!line.empty() && cairo_->width(longer) > width_mm) {
       end_line();
       line = word;
     } else {
-      line = longer;
+      line = std::move(longer);
     }
   }
   if (!line.empty()) end_line();

@@ -60,8 +60,8 @@ void LocalMapStore::push_back(LocalMap map) {
   if (!map.scans.empty()) {
     map.scans.erase(map.scans.begin(), std::prev(map.scans.end()));
     map.scans.shrink_to_fit();
-    map.scans.front().scan.ranges_m = {};
-    map.scans.front().unconfirmed_beams = {};
+    map.scans.front().scan.ranges_m = std::vector<float>();  // {} would keep their memory
+    map.scans.front().unconfirmed_beams = std::vector<std::int32_t>();
   }
   maps_.push_back(std::move(map));
 }

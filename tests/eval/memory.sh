@@ -5,7 +5,7 @@
 # memory.sh CARMEN_LOG.gz DIR [PASSES..]
 # Prints peak memory, CPU time and the size of summary.json of `adit map` over logs of growing length: each drives CARMEN_LOG (a
 # CARMEN log with FLASER lines) forwards and backwards PASSES times (1 2 4 8), and measures each place of it 36 times at 50 Hz, with
-# errors of 1 cm. Eight passes of the CSAIL log of shared/data have 570,000 scans and 1.1 GB. DIR takes the logs and the maps.
+# errors of 1 cm. Four passes of the CSAIL log of shared/data have 570,000 scans and 1.1 GB. DIR takes the logs and the maps.
 # shellcheck source=tests/eval/common.sh
 . "$(dirname "$(readlink -f "$0")")/common.sh"
 

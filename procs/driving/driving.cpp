@@ -23,19 +23,9 @@ constexpr double kResponseShareMin = 0.7;
 constexpr std::int64_t kScanPoseMaxUs = 200'000;  // between a scan and the newest pose
 constexpr double kLevelRad =
     0.01;  // tilt of a laser, beyond which it measures another part of the walls
-constexpr double kAfterHoldM = 0.3;  // driven slowly after a hold: what caused it is still near
 
 double response_share(double clearance_m, double clearance_full_m) {
   return std::clamp(clearance_m / clearance_full_m, kResponseShareMin, 1.0);
-}
-
-/// 1 where walls are so near that the robot creeps, 0 where its speed is not reduced for them. The
-/// drift angle is compensated there only: slow, it is accurate, and fast its errors displace the
-/// robot by more than the drift.
-double narrow_share(double clearance_m, const SpeedParams& speed) {
-  return std::clamp((speed.clearance_full_m - clearance_m) /
-                        std::max(1e-9, speed.clearance_full_m - speed.clearance_creep_m),
-                    0.0, 1.0);
 }
 
 }  // namespace
@@ -66,7 +56,6 @@ void Driving::follow(const PlannedPath& path) {
   progress_.emplace(std::move(runs));
   monitor_.reset();
   hold_steering_.reset();
-  slow_until_m_ = 0.0;
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -165,8 +154,6 @@ void Driving::update_progress(std::int64_t utime) {
   const auto failure_reason =
       monitor_.failure_reason(utime, {progress_->distance_m(T_odom_steered), state_.error,
                                       state_.progress_m, permission_.hold_reason()});
-  const bool has_begun = state_.progress_m > 0.0;
-  if (permission_.hold_reason() && has_begun) slow_until_m_ = state_.progress_m + kAfterHoldM;
   if (!failure_reason) return;
   state_.kind = Kind::kFailed;
   state_.reason = *failure_reason;
@@ -181,7 +168,9 @@ double Driving::target_curvature_1_m(const Pose2& T_odom_steered) const {
   const double curvature = run.curvature_1_m(s_m - kCurvatureWindowM, s_m + kCurvatureWindowM);
   LateralParams lateral = params_.pd;
   lateral.response_m *= response_share(run.clearance_m(s_m), params_.speed.clearance_full_m);
-  const double narrow = narrow_share(run.clearance_m(s_m), params_.speed);
+  // The drift angle is compensated where the robot is slow only: there it is accurate, and fast its
+  // errors displace the robot by more than the drift.
+  const double narrow = 1.0 - clearance_share(run.clearance_m(s_m), params_.speed);
   const double steering = std::lerp(1.0, hold_steering_.share(), narrow);
   return steering * lateral_curvature(error_from_middle(), curvature, run.direction(), lateral,
                                       narrow * drift_.angle_rad());
@@ -207,7 +196,7 @@ void Driving::move(double seconds) {
 /// creeping is safe.
 double Driving::target_speed_m_s() const {
   const double planned = profile_->at(progress_->s_m());
-  const bool is_slow = state_.progress_m < slow_until_m_ || permission_.hold_reason().has_value();
+  const bool is_slow = hold_steering_.is_near_hold() || permission_.hold_reason().has_value();
   const double limited = is_slow ? std::min(planned, params_.speed.creep_m_s) : planned;
   return progress_->run().direction() * limited;
 }

@@ -139,7 +139,6 @@ class Driving {
   std::array<double, 2> tilt_rad_{};   ///< by LaserId
   std::optional<std::int64_t> utime_;  ///< of the last command
   double target_curvature_1_m_ = 0.0;  ///< of the path of the steered point
-  double slow_until_m_ = 0.0;          ///< progress up to which the robot creeps after a hold
 };
 
 }  // namespace adit

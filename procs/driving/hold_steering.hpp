@@ -33,15 +33,19 @@ class HoldSteering {
     const bool has_tried = held_since_ && seconds(utime - *held_since_) > kStraightS;
     share_ = has_tried || !held_at_m_ ? 1.0
                                       : std::clamp((progress_m - *held_at_m_) / kReturnM, 0.0, 1.0);
+    is_near_hold_ = held_at_m_ && *held_at_m_ > 0.0 && progress_m < *held_at_m_ + kReturnM;
   }
 
   /// Of the curvature that the path asks for: 0 straight on, 1 all of it.
   [[nodiscard]] double share() const { return share_; }
+  /// Whether what caused a hold on the path is still near; a hold before its begin does not count.
+  [[nodiscard]] bool is_near_hold() const { return is_near_hold_; }
 
  private:
   std::optional<std::int64_t> held_since_;
   std::optional<double> held_at_m_;
   double share_ = 1.0;
+  bool is_near_hold_ = false;
 };
 
 }  // namespace adit

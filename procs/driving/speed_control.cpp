@@ -21,15 +21,18 @@ double local_limit_m_s(const PathRun& run, double s_m, double speed_max_m_s,
   const double behind = run.curvature_1_m(s_m - 2.0 * kSampleSpacingM, s_m);
   const double change = std::abs(ahead - behind) / (2.0 * kSampleSpacingM);
   const double curvature = std::max(std::abs(ahead), std::abs(behind));
-  const double reducing_m = params.clearance_full_m - params.clearance_creep_m;
-  const double share = std::clamp(
-      (run.clearance_m(s_m) - params.clearance_creep_m) / std::max(reducing_m, kEpsilon), 0.0, 1.0);
-  return std::min({share * speed_max_m_s,
+  return std::min({clearance_share(run.clearance_m(s_m), params) * speed_max_m_s,
                    std::sqrt(params.lateral_acceleration_m_s2 / std::max(curvature, kEpsilon)),
                    kSteeringShare * steering_rate_1_m_s / std::max(change, kEpsilon)});
 }
 
 }  // namespace
+
+double clearance_share(double clearance_m, const SpeedParams& params) {
+  const double reducing_m = params.clearance_full_m - params.clearance_creep_m;
+  return std::clamp((clearance_m - params.clearance_creep_m) / std::max(reducing_m, kEpsilon), 0.0,
+                    1.0);
+}
 
 SpeedProfile::SpeedProfile(const PathRun& run, const SpeedParams& params, double speed_max_m_s,
                            double steering_rate_1_m_s)

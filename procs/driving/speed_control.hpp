@@ -32,6 +32,10 @@ struct SpeedParams {
   }
 };
 
+/// Share of the full speed that a clearance allows: 1 from `clearance_full_m` on, 0 where the robot
+/// creeps.
+double clearance_share(double clearance_m, const SpeedParams& params);
+
 /// The speed over a run, down to zero at its end: limited by curvature, clearance and steering
 /// rate, and by the braking distance to each later limit.
 class SpeedProfile {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/bearing.hpp"
+
 namespace adit {
 namespace {
 
@@ -25,6 +27,10 @@ LevelLaser level_laser(const LaserMount& mount, const Eigen::Matrix3d& R_level_b
   return {{p.x(), p.y(), std::atan2(ahead.y(), ahead.x())}, p.z()};
 }
 
+float largest(const std::vector<float>& values) {
+  return values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(const LaserScan& scan, const LaserMount& mount, const Attitude& attitude,
@@ -43,7 +49,10 @@ FreeSpace::FreeSpace(const LaserScan& scan, const LaserMount& mount, const Attit
     if (i > 0) free_m_[i] = std::min(free_m_[i], valid_m[i - 1]);
     if (i + 1 < valid_m.size()) free_m_[i] = std::min(free_m_[i], valid_m[i + 1]);
   }
-  if (attitude.is_level()) return;
+  if (attitude.is_level()) {
+    reach_m_ = largest(free_m_);
+    return;
+  }
   const Eigen::Matrix3d R_level_body = attitude.rotation();
   const LevelLaser laser = level_laser(mount, R_level_body);
   T_laser_body_ = laser.T_body_laser.inverse();
@@ -55,6 +64,7 @@ FreeSpace::FreeSpace(const LaserScan& scan, const LaserMount& mount, const Attit
     const Eigen::Vector2d ahead(std::cos(bearing), std::sin(bearing));
     free_m_[i] /= static_cast<float>(std::hypot(1.0, rise_.dot(ahead)));
   }
+  reach_m_ = largest(free_m_);
 }
 
 int FreeSpace::count_inside(const std::vector<SurfacePoint>& points, const Pose2& T_body_points,
@@ -72,11 +82,13 @@ int FreeSpace::count_inside(const std::vector<SurfacePoint>& points, const Pose2
 }
 
 bool FreeSpace::inside(const Eigen::Vector2d& p_laser, double z_m, double margin) const {
-  const double bearing = std::atan2(p_laser.y(), p_laser.x());
-  const double beam = std::floor((bearing - angle_min_) / angle_step_ + 0.5);
+  const double reach = reach_m_ - margin;
+  const double squared = p_laser.squaredNorm();
+  if (!(reach > 0.0 && squared < reach * reach)) return false;
+  const double beam = std::floor((bearing_of(p_laser) - angle_min_) / angle_step_ + 0.5);
   if (!(beam >= 0.0 && beam < static_cast<double>(free_m_.size()))) return false;
   const double free = free_m_[static_cast<std::size_t>(beam)] - margin;
-  if (!(free > 0.0 && p_laser.squaredNorm() < free * free)) return false;
+  if (!(free > 0.0 && squared < free * free)) return false;
   return !(std::abs(z_m - z_laser_m_ - rise_.dot(p_laser)) > kSameHeightM);  // NaN is inside
 }
 

@@ -45,11 +45,11 @@ class FreeSpace {
   /// All there is of it, to be stored and restored.
   [[nodiscard]] auto fields() {
     return std::tie(T_laser_body_, angle_min_, angle_step_, z_laser_m_, rise_.x(), rise_.y(),
-                    free_m_);
+                    free_m_, reach_m_);
   }
   [[nodiscard]] auto fields() const {
     return std::tie(T_laser_body_, angle_min_, angle_step_, z_laser_m_, rise_.x(), rise_.y(),
-                    free_m_);
+                    free_m_, reach_m_);
   }
 
  private:
@@ -59,6 +59,7 @@ class FreeSpace {
   double z_laser_m_ = 0.0;
   Eigen::Vector2d rise_{0.0, 0.0};  ///< of the plane of the scan, along x and y of the level laser
   std::vector<float> free_m_;  ///< by beam: minimum of the reading and its neighbours; 0: unknown
+  float reach_m_ = 0.0F;       ///< maximum of these
 };
 
 }  // namespace adit

@@ -31,8 +31,10 @@ bool normals_agree(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 }  // namespace
 
-SurfelMap::SurfelMap(const SurfelMapParams& params)
-    : params_(params), heads_(std::size_t{kSide} * kSide, -1) {}
+SurfelMap::SurfelMap(const SurfelMapParams& params, Buckets side)
+    : params_(params),
+      side_(static_cast<int>(side)),
+      heads_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), -1) {}
 
 void SurfelMap::clear() {
   surfels_.clear();

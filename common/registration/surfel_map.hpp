@@ -53,7 +53,11 @@ struct SurfelMapParams {
 /// caller.
 class SurfelMap {
  public:
-  explicit SurfelMap(const SurfelMapParams& params);
+  /// Along each side of the grid, a power of two. Of the walls of one local map few are farther
+  /// apart than 32 m; a grid of that size is made in a twentieth of the time.
+  enum class Buckets : int { kOfOneLocalMap = 128, kOfSeveral = 512 };
+
+  explicit SurfelMap(const SurfelMapParams& params, Buckets side = Buckets::kOfSeveral);
 
   /// Merges points, given in the body frame, at a pose. `odometer`: path length so far [m].
   void insert(const std::vector<SurfacePoint>& points_body, const Pose2& T_odom_body,
@@ -75,13 +79,15 @@ class SurfelMap {
   static constexpr double kReach = 2.0 * kBucket;  ///< maximum query radius [m]
 
  private:
-  static constexpr int kSide = 512;  ///< buckets; the grid repeats every 128 m
-  static int bucket(int ix, int iy) { return ((iy & (kSide - 1)) * kSide) + (ix & (kSide - 1)); }
+  [[nodiscard]] int bucket(int ix, int iy) const {
+    return ((iy & (side_ - 1)) * side_) + (ix & (side_ - 1));
+  }
 
   void merge(const SurfacePoint& point, double odometer);
   void link(int surfel);
 
   SurfelMapParams params_;
+  int side_;  ///< buckets; the grid repeats behind them
   std::vector<Surfel> surfels_;
   std::vector<std::int32_t> heads_;
 };

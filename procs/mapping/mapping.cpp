@@ -605,7 +605,7 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
       if (!heights_.same_level(candidate.older, map, T_older_newer, walls_)) continue;
       largest = std::max(largest, contradiction(*walls_[static_cast<std::size_t>(map)],
                                                 walls_around(candidate.older, poses), T_older_newer,
-                                                params_.matching));
+                                                params_.matching, largest));
     }
     map_inconsistency += largest;
   }

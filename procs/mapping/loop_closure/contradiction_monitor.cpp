@@ -109,10 +109,10 @@ void ContradictionMonitor::compare(std::size_t older, std::size_t newer, const W
 /// Of both the older map alone and with its neighbours, in whose walls and free space it continues.
 double ContradictionMonitor::evidence(std::vector<PlacedWalls> older, const LocalWalls& newer,
                                       const Pose2& T_older_newer) const {
-  const double alone = contradiction(newer, {older.front()}, T_older_newer, params_);
+  const double alone = contradiction(newer, {older.front()}, T_older_newer, params_, evidence_min_);
   if (alone < evidence_min_) return alone;
   std::erase_if(older, [&](const PlacedWalls& placed) { return placed.walls.get() == &newer; });
-  return std::min(alone, contradiction(newer, older, T_older_newer, params_));
+  return std::min(alone, contradiction(newer, older, T_older_newer, params_, evidence_min_));
 }
 
 }  // namespace adit

@@ -43,7 +43,7 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
   LocalWalls walls;
   SurfelMapParams thinning;
   thinning.spacing_m = params.spacing_m;
-  SurfelMap surfels(thinning);
+  SurfelMap surfels(thinning, SurfelMap::Buckets::kOfOneLocalMap);
   std::map<std::string, Pose2> last_view;
   Pose2 T_local_last;
   double forward_m = 0.0;

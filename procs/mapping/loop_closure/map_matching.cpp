@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -59,10 +60,11 @@ class MapMatcher {
         newer_flat_(flat(newer_points_)),
         few_flat_(flat(few_points_)),
         newer_path_(newer.path),
-        newer_(SurfelMapParams{}),
+        newer_(SurfelMapParams{}, SurfelMap::Buckets::kOfOneLocalMap),
         newer_views_(newer.views),
-        older_(SurfelMapParams{}),
-        older_alone_(SurfelMapParams{}) {
+        older_walls_(older.empty() ? nullptr : older.front().walls),
+        older_(SurfelMapParams{}, SurfelMap::Buckets::kOfOneLocalMap),
+        older_alone_(SurfelMapParams{}, SurfelMap::Buckets::kOfOneLocalMap) {
     newer_.insert(flat(newer.points), {}, 0.0);
     for (const PlacedWalls& placed : older) {
       older_.insert(flat(placed.walls->points), placed.T_older_walls, 0.0);
@@ -76,17 +78,16 @@ class MapMatcher {
       }
     }
     newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
-    if (older.empty()) return;
-    older_alone_.insert(flat(older.front().walls->points), older.front().T_older_walls, 0.0);
-    older_alone_path_ = older.front().walls->path;
-    older_points_ = evenly_sampled(older.front().walls->points, params.points_max);
-    older_step_m_ = older.front().walls->length_m / std::max<std::size_t>(1, older_points_.size());
+    if (!older_walls_) return;
+    older_points_ = evenly_sampled(older_walls_->points, params.points_max);
+    older_step_m_ = older_walls_->length_m / std::max<std::size_t>(1, older_points_.size());
   }
 
   std::vector<LoopClosureAlternative> alternatives() {
     std::vector<LoopClosureAlternative> found;
     if (newer_points_.empty() || older_.empty()) return found;
     lever_arm_m_ = lever_arm_m(newer_points_);
+    older_alone_.insert(flat(older_walls_->points), {}, 0.0);
     for (const Pose2& start : starts()) {
       const auto alternative = refine(start);
       if (alternative) found.push_back(*alternative);
@@ -97,12 +98,13 @@ class MapMatcher {
     return distinct(found);
   }
 
-  /// The contradiction with the newer map at T, or after alignment close to T, whichever is
-  /// smaller.
-  [[nodiscard]] double contradiction_near(const Pose2& T) const {
+  /// The contradiction with the newer map at T or, if it is more than `relevant`, after alignment
+  /// close to T, whichever is smaller.
+  [[nodiscard]] double contradiction_near(const Pose2& T, double relevant) const {
     if (newer_points_.empty() || older_.empty()) return 0.0;
-    const Pose2 aligned = align(newer_flat_, T, params_.refinement).T_odom_body;
     const double there = contradiction(T);
+    if (there <= relevant) return there;
+    const Pose2 aligned = align(newer_flat_, T, params_.refinement).T_odom_body;
     return same(aligned, T) ? std::min(there, contradiction(aligned)) : there;
   }
 
@@ -227,9 +229,9 @@ class MapMatcher {
   /// the noise of the laser.
   [[nodiscard]] Eigen::Matrix3d far_view_covariance(const Pose2& T, double rms_residual_m) const {
     const Pose2 T_newer_older = T.inverse();
-    if (older_alone_path_.empty() || newer_path_.empty()) return Eigen::Matrix3d::Zero();
+    if (older_walls_->path.empty() || newer_path_.empty()) return Eigen::Matrix3d::Zero();
     Eigen::Vector2d nearest = Eigen::Vector2d::Constant(std::numeric_limits<double>::max() / 4.0);
-    for (const auto& [q, q_forward_m] : older_alone_path_) {
+    for (const auto& [q, q_forward_m] : older_walls_->path) {
       const Eigen::Vector2d there = T_newer_older * Eigen::Vector2d(q.head<2>());
       for (const auto& [p, p_forward_m] : newer_path_) {
         const Eigen::Vector2d apart = there - p.head<2>();
@@ -302,11 +304,11 @@ class MapMatcher {
   std::vector<TraversedPoint> newer_path_;
   SurfelMap newer_;
   const std::vector<LocalWalls::View>& newer_views_;
+  std::shared_ptr<const LocalWalls> older_walls_;  ///< without its neighbours
   std::vector<SurfacePoint> older_points_;
   SurfelMap older_;  ///< with its neighbours
   SurfelMap older_alone_;
   std::vector<TraversedPoint> older_path_;
-  std::vector<TraversedPoint> older_alone_path_;
   std::vector<LocalWalls::View> older_views_;
   double newer_step_m_ = 0.0;  ///< length of wall per point
   double older_step_m_ = 0.0;
@@ -323,9 +325,9 @@ Eigen::Matrix3d with_added_covariance(const Eigen::Matrix3d& information,
 }
 
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
-                     const Pose2& T_older_newer, const MapMatchingParams& params) {
+                     const Pose2& T_older_newer, const MapMatchingParams& params, double relevant) {
   const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
-  return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer);
+  return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer, relevant);
 }
 
 namespace {

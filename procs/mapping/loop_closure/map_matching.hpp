@@ -101,9 +101,11 @@ Eigen::Matrix3d with_added_covariance(const Eigen::Matrix3d& information,
 /// The evidence against a pose of the newer map, or one close by, even without overlap: −2
 /// log-likelihood ratio of the number of walls of each map in the free space of the other, against
 /// the number for maps of one place. Chi-square with one or two degrees of freedom if the pose is
-/// correct.
+/// correct. Evidence up to `relevant` may be that without a search for poses close by, which is
+/// most of the time.
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
-                     const Pose2& T_older_newer, const MapMatchingParams& params);
+                     const Pose2& T_older_newer, const MapMatchingParams& params,
+                     double relevant = 0.0);
 
 /// An upper bound of `contradiction` with the older map alone, without alignment and much cheaper:
 /// all points in space that the other map observed free, also where a wall is near.

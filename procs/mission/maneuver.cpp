@@ -179,6 +179,15 @@ BackOff Retracing::back_off(const TraversedPath& path, double distance_m,
   return {kind, distance_m, path.back(distance_m), approach_of(present)};
 }
 
+std::optional<BackOff> Retracing::withdrawal(const TraversedPath& path, double distance_m) {
+  std::vector<Pose2> recent = path.recent(distance_m);
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < recent.size(); ++i)
+    length_m += (recent[i].translation() - recent[i - 1].translation()).norm();
+  if (length_m < kBackOffMinM) return std::nullopt;
+  return BackOff{PlanGoal::Kind::kRetrace, distance_m, std::move(recent), std::nullopt};
+}
+
 Rejoin Retracing::rejoin(const TraversedPath& path, double length_m, bool has_terrain,
                          const Maneuver& present) {
   ++rejoins_;

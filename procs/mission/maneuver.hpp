@@ -85,6 +85,11 @@ class Retracing {
   [[nodiscard]] static bool leads_back(const TraversedPath& path);
   [[nodiscard]] static bool can_back_off(const TraversedPath& path, double distance_m);
 
+  /// Back over what the robot drove last, on the return into the mine, to approach a place once
+  /// more in which it is stuck; nothing if that is less than a metre.
+  [[nodiscard]] static std::optional<BackOff> withdrawal(const TraversedPath& path,
+                                                         double distance_m);
+
   /// Length of a rejoin; empty if the traversed path does not lead to the target. On the return
   /// home it always does, if by a detour; the length grows with the number of rejoins.
   [[nodiscard]] std::optional<double> rejoin_length_m(

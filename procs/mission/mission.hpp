@@ -149,6 +149,7 @@ class Mission {
   void back_off(double distance_m, const std::string& reason);
   void rejoin(const std::string& reason);
   void abandon_target();
+  bool withdraw(const std::string& reason);
   void retry_near_home(const std::string& reason);
   void end_near_home(const std::string& reason);
   void end_at_home(const std::string& reason);

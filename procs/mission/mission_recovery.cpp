@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Recovery of Mission when no path is found or a drive fails, and the last metre to home.
+#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -20,7 +21,10 @@ constexpr double kObstacleDepthM = 1.0;  // beyond the reached place, where the 
 // On steeper ground terrain of earlier scans may stand up as an obstacle: its place and its height
 // have errors that the slope couples [m/m].
 constexpr double kSlopeReliable = 0.15;
-constexpr double kMatchAtHomeM = 5.0;  // and back: the length of two local maps
+constexpr int kTriesBeforeWithdrawal = 2;
+constexpr double kWithdrawalM = 1.0;     // on the return, for each failed try,
+constexpr double kWithdrawalMaxM = 6.0;  // at most
+constexpr double kMatchAtHomeM = 5.0;    // and back: the length of two local maps
 constexpr double kStartUnmeasuredM = 2.0;
 constexpr double kUnlevelledMaxM = 5.0;  // distance travelled with unknown roll and pitch
 constexpr double kUnknownHomeM = 20.0;   // an uncertainty that leaves other tunnels possible
@@ -122,8 +126,21 @@ void Mission::abandon_target() {
     end(MissionOutcome::kStranded, "no path onward was found: " + evidence);
     return;
   }
+  if (withdraw(evidence)) return;
   enter(Phase::kExplore,
         (unconfirmed ? "no path was found: " : "the path is blocked: ") + evidence);
+}
+
+/// On the return the traversed path leads on, through the place where the robot is stuck. It has
+/// come there from the other side, and from some metres back it approaches in another way. False if
+/// the target is a frontier, which it may leave.
+bool Mission::withdraw(const std::string& reason) {
+  if (phase_.frontier || !is_returning() || failed_tries_ < kTriesBeforeWithdrawal) return false;
+  auto withdrawal = Retracing::withdrawal(localization_.traversed_path(),
+                                          std::min(failed_tries_ * kWithdrawalM, kWithdrawalMaxM));
+  if (!withdrawal) return false;
+  begin(std::move(*withdrawal), "back the way it came, to approach again: " + reason);
+  return true;
 }
 
 /// Near home, backing off would cost metres to gain decimetres.

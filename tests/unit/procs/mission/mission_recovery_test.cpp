@@ -607,6 +607,34 @@ TEST_F(MissionRecovery, ExploresAgainIfPlanningDoesNotAnswerARejoinWithoutATarge
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
+/// The robot has come back to x = 6 m from 10 m, and its way home is the traversed path.
+TEST_F(MissionRecovery, GoesBackIntoTheMineToApproachAgainWhereItIsStuck) {
+  match(kStart);
+  while (x_m_ < 10.0) {
+    x_m_ += 0.25;
+    tick();
+  }
+  while (x_m_ > 6.0) {
+    x_m_ -= 0.25;
+    tick();
+  }
+  map(utime_);
+  order(MissionOrder::Kind::kReturnHome);
+  const auto goes_back_in = [&] {
+    return now() == Phase::kPlan && goal_.kind == PlanGoal::Kind::kRetrace &&
+           goal_.T_odom_goal.x > x_m_ + 1.0;
+  };
+  for (int i = 0; i < 100 && now() != Phase::kEnded && !goes_back_in(); ++i) {
+    answer(Kind::kHome);
+    terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  ASSERT_TRUE(goes_back_in());
+  path(PlanOutcome::kFound);
+  arrive();
+  EXPECT_EQ(now(), Phase::kExplore);
+}
+
 TEST_F(MissionRecovery, IsStrandedAfterTooManyAttemptsOnTheReturn) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {

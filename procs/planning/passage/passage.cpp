@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kStartM = 1.2;  // over which walls beside the robot may be as near as they are,
 constexpr double kStartNearerM = 0.01;  // or nearer, until it has turned into the middle
+constexpr double kShareOfRoom = 0.5;    // of the free width on each side, were the body centred,
+constexpr double kUnevenMaxM = 0.08;    // up to which a path must keep it
 constexpr int kSoftenings = 5;
 constexpr double kStiffnessMax = 64.0;
 constexpr double kSimilarM = 0.3;      // of progress; then the clearance counts
@@ -29,17 +31,30 @@ struct DrivablePart {
   std::size_t count = 0;             ///< of these poses, less the reserve at the end
 };
 
+/// The least clearance of a pose that has this one. Where there is room on the other side a path
+/// that comes close to an edge is one to be approached from elsewhere: an edge is known less well
+/// than the walls of a narrow tunnel, whose every cell has points.
+double required_clearance_m(const WallDistance& walls, const Pose2& T_level_body,
+                            double clearance_m, double clearance_min_m) {
+  if (clearance_m >= kUnevenMaxM || clearance_m < clearance_min_m) return clearance_min_m;
+  const WallDistance::Sides sides = walls.sides(T_level_body);
+  const double centred_m = (sides.left_m + sides.right_m) / 2.0;
+  return std::max(clearance_min_m, std::min(kShareOfRoom * centred_m, kUnevenMaxM));
+}
+
 /// Clearances of the poses up to the first at which the body does not fit or cannot steer. Beside
 /// the robot walls may be as near as they are.
 std::vector<double> clearances_m(const ElasticBand& band, const std::vector<double>& lengths_m,
                                  const WallDistance& walls, double curvature_max,
                                  double clearance_min_m) {
   std::vector<double> clearances_m;
-  double least_m = clearance_min_m;
+  double start_m = 0.0;
   for (std::size_t i = 0; i < band.size(); ++i) {
-    const double clearance_m = walls.clearance_m(band.pose_at(i));
-    if (i == 0) least_m = std::min(clearance_min_m, clearance_m - kStartNearerM);
-    if (clearance_m < (lengths_m[i] < kStartM ? least_m : clearance_min_m)) break;
+    const Pose2 T_level_body = band.pose_at(i);
+    const double clearance_m = walls.clearance_m(T_level_body);
+    if (i == 0) start_m = clearance_m - kStartNearerM;
+    const double least_m = required_clearance_m(walls, T_level_body, clearance_m, clearance_min_m);
+    if (clearance_m < (lengths_m[i] < kStartM ? std::min(least_m, start_m) : least_m)) break;
     if (std::abs(band.curvature_1_m(i)) > curvature_max) break;
     clearances_m.push_back(clearance_m);
   }

@@ -31,8 +31,9 @@ struct PassageParams {
 /// A path through a narrow passage, where cells and headings of the lattice take more of the width
 /// than there is: an elastic band from the chain of cells with the most progress (Guide), with as
 /// little curvature as the width allows (ElasticBand). Each pose is tested with the outline of the
-/// body and the walls at the resolution of CellParts. The path ends where the body does not fit,
-/// less a reserve; it leads at least as far as the goals require.
+/// body and the walls at the resolution of CellParts; where there is room on the other side, it
+/// must keep up to 8 cm. The path ends where the body does not fit, less a reserve; it leads at
+/// least as far as the goals require.
 ///
 /// `reverse`: with the rear leading. The clearance of the path is to the walls. Nothing if there is
 /// no such path.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/plan/survey_layers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -259,18 +260,30 @@ VectorLayer LayerBuilder::path() const {
   return layer;
 }
 
+/// Middle of the places of the laser in survey.
+Eigen::Vector3d laser_place(const PlacedCloud& scan) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const CloudLine& line : scan.cloud->lines) sum += line.origin.cast<double>();
+  const auto lines = static_cast<double>(std::max<std::size_t>(1, scan.cloud->lines.size()));
+  return scan.in_survey(sum / lines);
+}
+
 VectorLayer LayerBuilder::scans() const {
-  VectorLayer layer{
-      "scans",
-      Geometry::kPoint,
-      {{"scan", kInteger}, {"time", kText}, {"points", kInteger}, {"complete", kText}},
-      {}};
+  VectorLayer layer{"scans",
+                    Geometry::kPoint,
+                    {{"scan", kInteger},
+                     {"time", kText},
+                     {"points", kInteger},
+                     {"complete", kText},
+                     {"laser_m", kNumber}},
+                    {}};
   for (const PlacedCloud& scan : survey_.cloud().scans()) {
-    layer.features.push_back({{in_grid(scan.T_survey_level.translation())},
-                              {std::int64_t{scan.number}, date_text(scan.cloud->utime),
-                               static_cast<std::int64_t>(scan.cloud->points()),
-                               std::string(scan.cloud->complete ? "yes" : "no")},
-                              ""});
+    layer.features.push_back(
+        {{in_grid(scan.T_survey_level.translation())},
+         {std::int64_t{scan.number}, date_text(scan.cloud->utime),
+          static_cast<std::int64_t>(scan.cloud->points()),
+          std::string(scan.cloud->complete ? "yes" : "no"), in_grid(laser_place(scan)).z()},
+         ""});
   }
   return layer;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 #include <fmt/format.h>
 
 #include "common/command_line/command_line.hpp"
@@ -28,13 +29,17 @@ constexpr const char* kSurveyDetails =
     R"(Input: the folder of a mission (adit mission, adit report), or its logs.
 
 Outputs in DIR, for CAD and GIS:
-  plan.pdf                          plan sheet on A3, to scale, with a statement of its accuracy
+  plan.pdf                          plan sheet on A3 or A1, to scale, with a statement of its accuracy
   survey.gpkg, .geojson, .dxf       walls, pillars, contours, tunnels, sections, junctions, frontiers,
                                     hazards, path, 3D scans, traverse with 95 % ellipses, control
   floor.tif, roof.tif, height.tif   elevation of floor and roof, and their distance (GeoTIFF)
   deviation.tif, occupancy.tif      standard deviations of floor, roof and place; reflecting cells
   sections.csv, .svg, outlines.csv  cross-sections: width, height, area, perimeter
   profiles.csv, .svg                floor and roof along the centre lines
+  report.pdf                        accuracy budget, traverse with its ellipses and misclosures, clearance
+  loops.csv, clearance.csv          misclosures of all loops; what passes each section
+  pillars.csv                       area, width and height of pillars
+  water.csv                         standing water, hollows with depth and spill, what a level floods
   cloud.las                         all points (LAS 1.4) with scan, time and standard deviations
   control.csv                       residuals and tests of the control points, with --control
 
@@ -49,6 +54,7 @@ constexpr const char* kSurveyExamples =
     R"(  adit mission random --seed 7 --in-process --out mission
   adit survey mission --out survey
   adit survey mission --out survey --every 2           a cross-section every 2 m
+  adit survey mission --out survey --water-level -0.4  what is flooded at that elevation
   adit survey mission --out survey --control points.csv --crs EPSG:25832
   adit survey compare survey_2025 survey_2026 --out change      what fell, what moved)";
 
@@ -161,6 +167,14 @@ void add_survey_command(CLI::App& adit) {
   command->add_option("--cell", options->cell_m, "Side of a cell of the rasters [m]")
       ->capture_default_str()
       ->check(number_in(within(kSurveyCellMinM, kSurveyCellMaxM)));
+  command->add_option("--sheet", options->sheet, "Paper of the plan: A3 or A1")
+      ->type_name("SIZE")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"A3", "A1"}));
+  command
+      ->add_option("--water-level", options->water_level_m,
+                   "Elevation of water [m]: what it floods, and what it spills over")
+      ->type_name("Z");
   command->require_subcommand(0, 1);
   add_compare_command(*command);
   command->callback([options, command] {

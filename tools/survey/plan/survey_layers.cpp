@@ -15,6 +15,7 @@
 #include "tools/report/text_format.hpp"
 #include "tools/survey/plan/hazard_marks.hpp"
 #include "tools/survey/plan/outlines.hpp"
+#include "tools/survey/plan/pillars.hpp"
 
 namespace adit {
 namespace {
@@ -90,12 +91,23 @@ VectorLayer LayerBuilder::walls() const {
 }
 
 VectorLayer LayerBuilder::pillars() const {
-  VectorLayer layer{"pillars", Geometry::kLine, {{"area_m2", kNumber}}, {}};
-  for (const VoidOutline& outline : void_outlines(survey_.filled_columns())) {
-    if (!outline.is_pillar) continue;
-    VectorFeature feature{{}, {outline.area_m2}, ""};
-    for (const Eigen::Vector2d& p : outline.points)
-      feature.points.push_back(in_grid(p, floor_z_m(p, outline.z_m)));
+  VectorLayer layer{"pillars",
+                    Geometry::kLine,
+                    {{"pillar", kInteger},
+                     {"area_m2", kNumber},
+                     {"area_sd_m2", kNumber},
+                     {"width_m", kNumber},
+                     {"height_m", kNumber},
+                     {"slender", kText}},
+                    {}};
+  std::int64_t number = 0;
+  for (const Pillar& pillar : survey_.pillars()) {
+    VectorFeature feature{{},
+                          {++number, pillar.area_m2.value, pillar.area_m2.sd, pillar.width_m,
+                           known(pillar.height_m), std::string(pillar.is_slender() ? "yes" : "no")},
+                          ""};
+    for (const Eigen::Vector2d& p : pillar.outline.points)
+      feature.points.push_back(in_grid(p, floor_z_m(p, pillar.outline.z_m)));
     layer.features.push_back(std::move(feature));
   }
   return layer;
@@ -344,9 +356,19 @@ VectorLayer LayerBuilder::control() const {
 std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
   const LayerBuilder builder(survey);
   std::vector<VectorLayer> layers{
-      builder.walls(),    builder.pillars(),   builder.floor_contours(), builder.centre_lines(),
-      builder.sections(), builder.junctions(), builder.frontiers(),      builder.hazards(),
-      builder.path(),     builder.scans(),     builder.traverse(),       builder.control()};
+      builder.walls(),
+      builder.pillars(),
+      builder.floor_contours(),
+      builder.centre_lines(),
+      builder.sections(),
+      builder.junctions(),
+      builder.frontiers(),
+      builder.hazards(),
+      builder.path(),
+      builder.scans(),
+      builder.traverse(),
+      builder.control(),
+      water_layer(survey.water(), survey.frame(), survey.columns().cell_m)};
   std::erase_if(layers, [](const VectorLayer& layer) { return layer.features.empty(); });
   return layers;
 }

@@ -13,6 +13,7 @@
 #include "tools/survey/files/gdal_support.hpp"
 #include "tools/survey/files/geotiff_file.hpp"
 #include "tools/survey/files/las_file.hpp"
+#include "tools/survey/files/mesh_file.hpp"
 #include "tools/survey/files/vector_files.hpp"
 #include "tools/survey/plan/survey_layers.hpp"
 #include "tools/survey/raster/elevation_rasters.hpp"
@@ -70,6 +71,22 @@ void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
   }
 }
 
+/// The mesh of the void in the grid, as PLY and OBJ.
+void write_mesh(const MineSurvey& survey, const fs::path& folder, SurveyResult& result) {
+  SurfaceMesh mesh = void_mesh(survey.cloud());
+  result.mesh = check_mesh(mesh);
+  if (mesh.triangles.empty()) {
+    result.warnings.emplace_back("no mesh: the returns are too sparse");
+    return;
+  }
+  for (Eigen::Vector3d& p : mesh.vertices) p = survey.frame().in_grid(p);
+  const std::string comment =
+      fmt::format("adit survey; side of the void; {:.1f} m2 in {} parts, {} borders",
+                  result.mesh.area_m2, result.mesh.parts, result.mesh.border_loops);
+  write_mesh_ply(mesh, comment, folder / "void.ply");
+  write_mesh_obj(mesh, comment, folder / "void.obj");
+}
+
 }  // namespace
 
 SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& progress) {
@@ -106,6 +123,7 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   write_geopackage(layers, frame.crs_wkt(), folder / "survey.gpkg");
   write_geojson(layers, frame.crs_name(), frame.statement(), folder / "survey.geojson");
   write_dxf(layers, folder / "survey.dxf");
+  write_mesh(survey, folder, result);
   write_plan_sheet(layers, sheet_text(survey, result), options.sheet == "A1" ? kPaperA1 : kPaperA3,
                    folder / "plan.pdf");
   write_traverse_report(report_of(survey, result), layers, survey.graph(), frame,

@@ -36,6 +36,7 @@ Outputs in DIR, for CAD and GIS:
   deviation.tif, occupancy.tif      standard deviations of floor, roof and place; reflecting cells
   sections.csv, .svg, outlines.csv  cross-sections: width, height, area, perimeter
   profiles.csv, .svg                floor and roof along the centre lines
+  void.ply, void.obj                mesh of the void, open where nothing was seen
   report.pdf                        accuracy budget, traverse with its ellipses and misclosures, clearance
   loops.csv, clearance.csv          misclosures of all loops; what passes each section
   pillars.csv                       area, width and height of pillars
@@ -142,6 +143,8 @@ void print_survey(const SurveyResult& result, const std::filesystem::path& folde
             << message_line(result.frame) << "\n"
             << fmt::format("Largest standard deviation: {:.3f} m in plan, {:.3f} m in height\n",
                            result.plan_sd_max_m, result.z_sd_max_m)
+            << fmt::format("Mesh: {:.0f} m² in {} parts; {} borders where nothing was seen\n",
+                           result.mesh.area_m2, result.mesh.parts, result.mesh.border_loops)
             << std::flush;
 }
 

@@ -53,7 +53,7 @@ TEST_F(Survey, WritesItsFiles) {
   for (const char* name : {"floor.tif", "roof.tif", "height.tif", "deviation.tif", "occupancy.tif",
                            "sections.csv", "outlines.csv", "sections.svg", "profiles.csv",
                            "profiles.svg", "survey.gpkg", "survey.geojson", "survey.dxf",
-                           "cloud.las", "plan.pdf", "report.pdf"}) {
+                           "cloud.las", "plan.pdf", "report.pdf", "void.ply", "void.obj"}) {
     EXPECT_GT(file(name).size(), 100U) << name;
   }
   EXPECT_FALSE(fs::exists(out() / ".unfinished"));

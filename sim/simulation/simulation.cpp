@@ -167,7 +167,10 @@ class Simulation::Impl {
 
 Simulation::Simulation(const Site& site, const SimulationParams& params, std::uint64_t seed,
                        std::int64_t start_utime)
-    : impl_(std::make_unique<Impl>(site, params, seed, start_utime)) {}
+    : impl_(std::make_unique<Impl>(
+          site, params,
+          params.noise_seed < 0 ? seed : static_cast<std::uint64_t>(params.noise_seed),
+          start_utime)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

@@ -59,6 +59,7 @@ struct SimulationParams {
   WheelOdometryParams wheel_odometry;
   ImuParams imu;
   std::vector<FaultDescription> faults;
+  int noise_seed = -1;                ///< of the errors of all sensors; −1: the seed of the world
   double record_free_min_mb = 500.0;  ///< on its disk, below which a recording stops
 
   template <class V>
@@ -71,6 +72,7 @@ struct SimulationParams {
     v("wheel_odometry", wheel_odometry);
     v("imu", imu);
     v("faults", faults);
+    v("noise_seed", noise_seed, at_least(-1));
     v("record_free_min_mb", record_free_min_mb, at_least(0.0));
   }
 };

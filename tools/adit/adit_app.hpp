@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@ class App;
 namespace adit {
 
 struct ReportOptions;
+struct SurveyResult;
 
 /// The command line `adit` with all of its sub-commands.
 std::unique_ptr<CLI::App> make_adit_app();
@@ -32,6 +34,9 @@ void set_help(CLI::App& command, const CommandHelp& help);
 /// Writes a mission report with a progress bar. Warnings go to standard error, the location of the
 /// page and the outcome of the mission to standard output. Throws as write_report does.
 void print_report(ReportOptions options);
+
+/// Prints what was surveyed, warnings to standard error. `folder`: of the results.
+void print_survey(const SurveyResult& result, const std::filesystem::path& folder);
 
 /// Formats the answer of a supervisor to "ps" (one row per line, tab-separated columns) as a table
 /// with a heading. The group column is omitted if it is empty.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/mine_survey.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "tools/map/full_map.hpp"
+#include "tools/survey/plan/hazard_marks.hpp"
 
 namespace adit {
 namespace {
@@ -24,6 +26,10 @@ const SurveyOptions& checked(const SurveyOptions& options) {
     throw std::invalid_argument(
         fmt::format("the side of a cell is {} to {} m", kSurveyCellMinM, kSurveyCellMaxM));
   }
+  if (options.sheet != "A3" && options.sheet != "A1")
+    throw std::invalid_argument("the sheet of the plan is A3 or A1");
+  if (options.water_level_m && !std::isfinite(*options.water_level_m))
+    throw std::invalid_argument("the level of the water is not a number");
   if (options.control.empty() && !options.crs.empty())
     throw std::invalid_argument("--crs needs --control: nothing ties the mission to a grid");
   if (!options.control.empty() && options.crs.empty()) {
@@ -97,6 +103,12 @@ MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progr
   columns_ = column_grid(cloud_, path_, {.cell_m = options.cell_m});
   filled_columns_ = with_gaps_filled(columns_, occupied_ ? &*occupied_ : nullptr);
   void_space_ = void_volume(columns_, filled_columns_);
+  report(progress, "measuring", 0.6);
+  std::optional<double> level_m = options.water_level_m;
+  if (level_m) *level_m -= datum_.frame.origin().z();
+  water_ = mine_water(columns_, filled_columns_, occupied_ ? &*occupied_ : nullptr,
+                      hazard_marks(input_.hazards(), datum_.graph), level_m);
+  pillars_ = pillars_of(filled_columns_);
   report(progress, "measuring", 0.7);
   sections_ = cross_sections(cloud_, section_planes(lines_, path_, options.every_m));
 }

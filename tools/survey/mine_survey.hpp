@@ -16,9 +16,11 @@
 #include "tools/survey/frame/survey_frame.hpp"
 #include "tools/survey/frame/survey_graph.hpp"
 #include "tools/survey/input/survey_input.hpp"
+#include "tools/survey/plan/pillars.hpp"
 #include "tools/survey/raster/column_grid.hpp"
 #include "tools/survey/raster/void_volume.hpp"
 #include "tools/survey/section/cross_section.hpp"
+#include "tools/survey/water/mine_water.hpp"
 
 namespace adit {
 
@@ -35,6 +37,9 @@ struct SurveyOptions {
   std::string crs = {};                             ///< of the control points: "EPSG:n" or "local"
   double every_m = 5.0;                             ///< between cross-sections
   double cell_m = 0.1;                              ///< of rasters
+  std::string sheet = "A3";                         ///< or A1: paper of the plan
+  /// Elevation in the grid up to which water is to stand; nothing: not asked for.
+  std::optional<double> water_level_m = {};
 };
 
 /// Names the present step and how much of it is done, 0 to 1.
@@ -64,6 +69,9 @@ class MineSurvey {
   [[nodiscard]] const ColumnGrid& filled_columns() const { return filled_columns_; }
   [[nodiscard]] const std::vector<CrossSection>& sections() const { return sections_; }
   [[nodiscard]] const VoidVolume& void_space() const { return void_space_; }
+  [[nodiscard]] const std::vector<Pillar>& pillars() const { return pillars_; }
+  /// What stands, hollows, and what is flooded at the level that was asked for.
+  [[nodiscard]] const std::vector<SurveyedWater>& water() const { return water_; }
   /// Scans of the level lasers at the places of their local maps; nothing if the poses exceed the
   /// size of a grid.
   [[nodiscard]] const std::optional<OccupancyGrid>& occupied() const { return occupied_; }
@@ -79,6 +87,8 @@ class MineSurvey {
   ColumnGrid filled_columns_;
   std::vector<CrossSection> sections_;
   VoidVolume void_space_;
+  std::vector<SurveyedWater> water_;
+  std::vector<Pillar> pillars_;
 };
 
 }  // namespace adit

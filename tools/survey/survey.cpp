@@ -7,22 +7,23 @@
 
 #include <fmt/format.h>
 
-#include "common/bus/node/version.hpp"
 #include "common/files/file_utils.hpp"
 #include "common/pose_graph/map_correction.hpp"
-#include "common/text/message_text.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/report/text_format.hpp"
 #include "tools/survey/files/gdal_support.hpp"
 #include "tools/survey/files/geotiff_file.hpp"
 #include "tools/survey/files/las_file.hpp"
+#include "tools/survey/files/mesh_file.hpp"
 #include "tools/survey/files/vector_files.hpp"
 #include "tools/survey/plan/survey_layers.hpp"
 #include "tools/survey/raster/elevation_rasters.hpp"
+#include "tools/survey/section/clearance.hpp"
 #include "tools/survey/section/profile.hpp"
 #include "tools/survey/section/section_sheets.hpp"
 #include "tools/survey/section/section_table.hpp"
 #include "tools/survey/sheet/plan_sheet.hpp"
+#include "tools/survey/survey_statements.hpp"
+#include "tools/survey/traverse/traverse_report.hpp"
 
 namespace adit {
 namespace {
@@ -63,14 +64,6 @@ LasPoints las_points(const MineSurvey& survey) {
   };
 }
 
-std::string suspicion(const ControlResidual& point) {
-  const Eigen::Vector3d& v = point.residual;
-  return fmt::format(
-      "control point {} does not fit: residuals {:.2f}, {:.2f}, {:.2f} m; a blunder, or the others "
-      "lean on one (control.csv)",
-      quote(point.name), v.x(), v.y(), v.z());
-}
-
 void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
   for (const SurveyGraph::Node& node : graph.nodes()) {
     result.plan_sd_max_m = std::max(result.plan_sd_max_m, position_sd_m(node.covariance));
@@ -78,31 +71,20 @@ void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
   }
 }
 
-PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result) {
-  const LogInfo& log_info = survey.input().log_info();
-  PlanSheetText text;
-  text.title = "Mine plan";
-  text.date = date_text(log_info.last_utime);
-  text.identity = fmt::format("adit {}; mission of {} to {}; {} 3D scans, {} points", version(),
-                              date_text(log_info.first_utime), date_text(log_info.last_utime),
-                              result.scans, result.points);
-  text.grid_north = !result.control.empty();
-  text.statements.push_back(result.frame);
-  text.statements.push_back(fmt::format(
-      "Accuracy, from the covariances of the adjusted pose graph: at 95 % local maps are within "
-      "{:.2f} m in plan (worst direction) and {:.2f} m in elevation, relative to {}.",
-      2.45 * result.plan_sd_max_m, 1.96 * result.z_sd_max_m,
-      result.control.empty() ? "the start" : "the control"));
-  text.statements.push_back(fmt::format(
-      "Workings: {:.0f} m of tunnels; area {:.0f} ± {:.0f} m², void {:.0f} ± {:.0f} m³ (95 %). "
-      "{:.0f} m² of floor or roof were not seen and are interpolated.",
-      result.length_m, result.void_space.area_m2.value, 1.96 * result.void_space.area_m2.sd,
-      result.void_space.volume_m3.value, 1.96 * result.void_space.volume_m3.sd,
-      result.void_space.filled_m2));
-  for (const ControlResidual& point : result.control) {
-    if (point.is_suspect()) text.statements.push_back("Warning: " + suspicion(point));
+/// The mesh of the void in the grid, as PLY and OBJ.
+void write_mesh(const MineSurvey& survey, const fs::path& folder, SurveyResult& result) {
+  SurfaceMesh mesh = void_mesh(survey.cloud());
+  result.mesh = check_mesh(mesh);
+  if (mesh.triangles.empty()) {
+    result.warnings.emplace_back("no mesh: the returns are too sparse");
+    return;
   }
-  return text;
+  for (Eigen::Vector3d& p : mesh.vertices) p = survey.frame().in_grid(p);
+  const std::string comment =
+      fmt::format("adit survey; side of the void; {:.1f} m2 in {} parts, {} borders",
+                  result.mesh.area_m2, result.mesh.parts, result.mesh.border_loops);
+  write_mesh_ply(mesh, comment, folder / "void.ply");
+  write_mesh_obj(mesh, comment, folder / "void.obj");
 }
 
 }  // namespace
@@ -134,12 +116,22 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   const auto along = profiles(survey.lines(), survey.columns(), kProfileEveryM);
   write_text_file(sections_svg(survey.sections(), frame), folder / "sections.svg");
   write_text_file(profile_table(along, frame), folder / "profiles.csv");
+  write_text_file(water_table(survey.water(), frame), folder / "water.csv");
+  write_text_file(pillar_table(survey.pillars(), frame), folder / "pillars.csv");
   write_text_file(profiles_svg(along, frame), folder / "profiles.svg");
   const std::vector<VectorLayer> layers = survey_layers(survey);
   write_geopackage(layers, frame.crs_wkt(), folder / "survey.gpkg");
   write_geojson(layers, frame.crs_name(), frame.statement(), folder / "survey.geojson");
   write_dxf(layers, folder / "survey.dxf");
-  write_plan_sheet(layers, sheet_text(survey, result), folder / "plan.pdf");
+  write_mesh(survey, folder, result);
+  write_plan_sheet(layers, sheet_text(survey, result), options.sheet == "A1" ? kPaperA1 : kPaperA3,
+                   folder / "plan.pdf");
+  write_traverse_report(report_of(survey, result), layers, survey.graph(), frame,
+                        folder / "report.pdf");
+  write_text_file(loop_table(traverse_loops(survey.input().map().full_map().graph)),
+                  folder / "loops.csv");
+  write_text_file(clearance_table(survey.sections(), envelopes_of(survey), frame),
+                  folder / "clearance.csv");
   if (!result.control.empty())
     write_text_file(control_table(result.control), folder / "control.csv");
   write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/survey/mesh/void_mesh.hpp"
 #include "tools/survey/mine_survey.hpp"
 
 namespace adit {
@@ -18,6 +19,7 @@ struct SurveyResult {
   double length_m = 0.0;  ///< of the centre lines
   std::size_t sections = 0;
   VoidVolume void_space;
+  MeshCheck mesh;
   double plan_sd_max_m =
       0.0;  ///< largest standard deviation of a local map, in the worst direction
   double z_sd_max_m = 0.0;

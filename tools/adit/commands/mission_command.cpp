@@ -24,6 +24,7 @@
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/mission_run.hpp"
 #include "tools/report/report.hpp"
+#include "tools/survey/survey.hpp"
 #include "viewer/server/viewer_server.hpp"
 #include "viewer/view/viewer_options.hpp"
 
@@ -82,6 +83,7 @@ constexpr int kExitNotReturned = 1;
 struct MissionOptions {
   MissionLiveOptions mission;
   bool in_process = false;
+  bool survey = false;
   bool no_view = false;
   int view_port = ViewerParameters{}.port;
 };
@@ -95,6 +97,7 @@ Outputs in DIR:
   mission.html ..   the report and its files, see adit report --help
   run.lcmlog        all messages; run_2.lcmlog .. after --resume; with --compress run.lcmlog.zst ..,
                     which all commands read; adit export makes a plain one for lcm-logplayer
+  survey/           with --survey: plan, sections, elevations, cloud, see adit survey --help
   phases.tsv        phases of the mission and their reasons
   *.journal         state of the stages, for --resume
   *.yaml, *.cfg     configuration of all processes
@@ -130,6 +133,15 @@ void report(const std::filesystem::path& folder) try {
   print_error("adit mission", fmt::format("cannot write the report: {}", error.what()));
 }
 
+/// Surveys the mine without control into the folder `survey` of the mission. An error is printed
+/// and does not change the outcome of the mission.
+void survey_mine(const std::filesystem::path& folder) try {
+  const SurveyOptions options{.mission = {folder}, .folder = folder / "survey"};
+  print_survey(write_survey(options), options.folder);
+} catch (const std::exception& error) {
+  print_error("adit mission", fmt::format("cannot survey the mine: {}", error.what()));
+}
+
 /// Throws the exit code of a mission whose robot did not return, or is not sure that it did, or of
 /// which the disk did not take everything.
 void require_return(const MissionProgress& last, const std::string& abort_reason,
@@ -139,7 +151,7 @@ void require_return(const MissionProgress& last, const std::string& abort_reason
     throw CLI::RuntimeError(kExitNotReturned);
 }
 
-void run_in_process(const MissionLiveOptions& mission) {
+void run_in_process(const MissionLiveOptions& mission, bool with_survey) {
   if (mission.resume)
     throw std::invalid_argument("--resume requires a mission of processes, without --in-process");
   MissionFolder(mission.folder).require_new();
@@ -163,6 +175,7 @@ void run_in_process(const MissionLiveOptions& mission) {
                                            : "the time limit is reached";
   MissionProgressPrinter::end(result.last, abort_reason, result.trace_failure, result.wall_s);
   report(mission.folder);
+  if (with_survey) survey_mine(mission.folder);
   require_return(result.last, abort_reason, result.trace_failure);
 }
 
@@ -211,7 +224,10 @@ void run_processes(const MissionOptions& options) {
       [&](const std::string& message) { printer.print_message(message); });
   MissionProgressPrinter::end(result.last, result.abort_reason, result.trace_failure,
                               result.wall_s);
-  if (!result.interrupted) report(folder);
+  if (!result.interrupted) {
+    report(folder);
+    if (options.survey) survey_mine(folder);
+  }
   require_return(result.last, result.abort_reason, result.trace_failure);
 }
 
@@ -220,7 +236,7 @@ void run(const MissionOptions& options) {
     throw std::invalid_argument(
         "either WORLD or --resume, to continue the mission in --out, is required");
   }
-  if (options.in_process) return run_in_process(options.mission);
+  if (options.in_process) return run_in_process(options.mission, options.survey);
   run_processes(options);
 }
 
@@ -233,6 +249,8 @@ void add_options(CLI::App& command, MissionOptions& options) {
       ->required();
   CLI::Option* in_process =
       command.add_flag("--in-process", options.in_process, "Run all stages in this process");
+  command.add_flag("--survey", options.survey,
+                   "Survey the mine at the end, into DIR/survey; see adit survey --help");
   command.add_flag("--resume", mission.resume, "Continue the mission in the output folder")
       ->excludes(world)
       ->excludes(in_process);

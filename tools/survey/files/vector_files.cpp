@@ -104,6 +104,7 @@ const char* colour_of(const std::string& drawing_layer) {
   if (drawing_layer.starts_with("CENTRE_LINES")) return "#2060c0";
   if (drawing_layer.starts_with("FLOOR_CONTOURS")) return "#808080";
   if (drawing_layer.starts_with("PATH")) return "#20a060";
+  if (drawing_layer.starts_with("WATER")) return "#2090d0";
   return "#000000";
 }
 

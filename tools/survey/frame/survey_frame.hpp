@@ -9,6 +9,9 @@
 
 namespace adit {
 
+/// Name of the coordinate system of a survey without control.
+inline constexpr const char* kLocalGridName = "local grid of the mission";
+
 /// The coordinate system of a survey's files. The frame "survey", in which everything is computed,
 /// has the same axes and the lengths of the mine; its origin is near it, so that single precision
 /// resolves a millimetre.

@@ -52,9 +52,9 @@ std::vector<std::filesystem::path> mission_logs(const std::vector<std::filesyste
 
 SurveyInput::SurveyInput(std::vector<std::filesystem::path> logs,
                          const std::function<void(double)>& progress)
-    : log_info_(read_log_info(logs)) {
+    : log_info_(read_log_info(logs)), vehicle_(vehicle_of(log_info_)) {
   StateRecord state(bus_);
-  ScanHazardRecord scans(bus_, vehicle_of(log_info_));
+  ScanHazardRecord scans(bus_, vehicle_);
   play_logs(
       logs, channels_of(bus_), memory_,
       [&](double done) {

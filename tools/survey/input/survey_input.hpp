@@ -14,6 +14,7 @@
 #include "common/records/hazard.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/exploration.hpp"
+#include "common/types/vehicle.hpp"
 #include "tools/report/mission_map.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/map_record.hpp"
@@ -33,6 +34,8 @@ class SurveyInput {
   SurveyInput& operator=(const SurveyInput&) = delete;
 
   [[nodiscard]] const LogInfo& log_info() const { return log_info_; }
+  /// Of the recorded configuration, or the default.
+  [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   [[nodiscard]] const MissionMap& map() const { return *map_; }
   /// 3D scans in the order of the log: scan i has the number i + 1, as in the report.
   [[nodiscard]] const std::vector<Cloud>& clouds() const { return clouds_; }
@@ -47,6 +50,7 @@ class SurveyInput {
 
  private:
   LogInfo log_info_;
+  Vehicle vehicle_;
   MemoryBus memory_;
   StageBus bus_{memory_, StageBus::Measure::kNothing};
   MapRecord record_{bus_};

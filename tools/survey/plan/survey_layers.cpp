@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/plan/survey_layers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "tools/report/text_format.hpp"
 #include "tools/survey/plan/hazard_marks.hpp"
 #include "tools/survey/plan/outlines.hpp"
+#include "tools/survey/plan/pillars.hpp"
 
 namespace adit {
 namespace {
@@ -89,12 +91,23 @@ VectorLayer LayerBuilder::walls() const {
 }
 
 VectorLayer LayerBuilder::pillars() const {
-  VectorLayer layer{"pillars", Geometry::kLine, {{"area_m2", kNumber}}, {}};
-  for (const VoidOutline& outline : void_outlines(survey_.filled_columns())) {
-    if (!outline.is_pillar) continue;
-    VectorFeature feature{{}, {outline.area_m2}, ""};
-    for (const Eigen::Vector2d& p : outline.points)
-      feature.points.push_back(in_grid(p, floor_z_m(p, outline.z_m)));
+  VectorLayer layer{"pillars",
+                    Geometry::kLine,
+                    {{"pillar", kInteger},
+                     {"area_m2", kNumber},
+                     {"area_sd_m2", kNumber},
+                     {"width_m", kNumber},
+                     {"height_m", kNumber},
+                     {"slender", kText}},
+                    {}};
+  std::int64_t number = 0;
+  for (const Pillar& pillar : survey_.pillars()) {
+    VectorFeature feature{{},
+                          {++number, pillar.area_m2.value, pillar.area_m2.sd, pillar.width_m,
+                           known(pillar.height_m), std::string(pillar.is_slender() ? "yes" : "no")},
+                          ""};
+    for (const Eigen::Vector2d& p : pillar.outline.points)
+      feature.points.push_back(in_grid(p, floor_z_m(p, pillar.outline.z_m)));
     layer.features.push_back(std::move(feature));
   }
   return layer;
@@ -259,18 +272,30 @@ VectorLayer LayerBuilder::path() const {
   return layer;
 }
 
+/// Middle of the places of the laser in survey.
+Eigen::Vector3d laser_place(const PlacedCloud& scan) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const CloudLine& line : scan.cloud->lines) sum += line.origin.cast<double>();
+  const auto lines = static_cast<double>(std::max<std::size_t>(1, scan.cloud->lines.size()));
+  return scan.in_survey(sum / lines);
+}
+
 VectorLayer LayerBuilder::scans() const {
-  VectorLayer layer{
-      "scans",
-      Geometry::kPoint,
-      {{"scan", kInteger}, {"time", kText}, {"points", kInteger}, {"complete", kText}},
-      {}};
+  VectorLayer layer{"scans",
+                    Geometry::kPoint,
+                    {{"scan", kInteger},
+                     {"time", kText},
+                     {"points", kInteger},
+                     {"complete", kText},
+                     {"laser_m", kNumber}},
+                    {}};
   for (const PlacedCloud& scan : survey_.cloud().scans()) {
-    layer.features.push_back({{in_grid(scan.T_survey_level.translation())},
-                              {std::int64_t{scan.number}, date_text(scan.cloud->utime),
-                               static_cast<std::int64_t>(scan.cloud->points()),
-                               std::string(scan.cloud->complete ? "yes" : "no")},
-                              ""});
+    layer.features.push_back(
+        {{in_grid(scan.T_survey_level.translation())},
+         {std::int64_t{scan.number}, date_text(scan.cloud->utime),
+          static_cast<std::int64_t>(scan.cloud->points()),
+          std::string(scan.cloud->complete ? "yes" : "no"), in_grid(laser_place(scan)).z()},
+         ""});
   }
   return layer;
 }
@@ -331,9 +356,19 @@ VectorLayer LayerBuilder::control() const {
 std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
   const LayerBuilder builder(survey);
   std::vector<VectorLayer> layers{
-      builder.walls(),    builder.pillars(),   builder.floor_contours(), builder.centre_lines(),
-      builder.sections(), builder.junctions(), builder.frontiers(),      builder.hazards(),
-      builder.path(),     builder.scans(),     builder.traverse(),       builder.control()};
+      builder.walls(),
+      builder.pillars(),
+      builder.floor_contours(),
+      builder.centre_lines(),
+      builder.sections(),
+      builder.junctions(),
+      builder.frontiers(),
+      builder.hazards(),
+      builder.path(),
+      builder.scans(),
+      builder.traverse(),
+      builder.control(),
+      water_layer(survey.water(), survey.frame(), survey.columns().cell_m)};
   std::erase_if(layers, [](const VectorLayer& layer) { return layer.features.empty(); });
   return layers;
 }

@@ -165,6 +165,8 @@ void PdfPage::clip(const Eigen::AlignedBox2d& box) {
 
 void PdfPage::end_clip() { cairo_restore(cairo_->context); }
 
+void PdfPage::next_page() { cairo_show_page(cairo_->context); }
+
 void PdfPage::finish() {
   cairo_show_page(cairo_->context);
   cairo_surface_finish(cairo_->surface);

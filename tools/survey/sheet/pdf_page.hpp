@@ -28,7 +28,7 @@ struct Pen {
 
 enum class Mark : std::uint8_t { kCross, kCircle, kTriangle };
 
-/// A PDF of one page, drawn in millimetres from its upper left corner, y down. The class that knows
+/// A PDF, drawn in millimetres from the upper left corner of a page, y down. The class that knows
 /// cairo's PDF. The same calls give the same bytes.
 class PdfPage {
  public:
@@ -57,6 +57,9 @@ class PdfPage {
   /// Draws only within a box until `end_clip`.
   void clip(const Eigen::AlignedBox2d& box);
   void end_clip();
+
+  /// Ends the page; what follows is drawn on a new one of the same size.
+  void next_page();
 
   /// Throws FileError if the file cannot be written.
   void finish();

@@ -15,8 +15,6 @@
 namespace adit {
 namespace {
 
-constexpr double kPageWidthMm = 420.0;  // A3
-constexpr double kPageHeightMm = 297.0;
 constexpr double kMarginMm = 10.0;
 constexpr double kTitleBlockMm = 88.0;  // at the right
 constexpr double kInsetMm = 9.0;        // of the plan in its frame, for coordinates
@@ -31,6 +29,7 @@ constexpr Ink kPale{0.80, 0.80, 0.80};
 constexpr Ink kBlue{0.10, 0.35, 0.75};
 constexpr Ink kOrange{0.80, 0.45, 0.0};
 constexpr Ink kRed{0.80, 0.10, 0.10};
+constexpr Ink kWater{0.10, 0.60, 0.85};
 constexpr Ink kGreen{0.05, 0.55, 0.25};
 
 const VectorLayer* find(const std::vector<VectorLayer>& layers, std::string_view name) {
@@ -60,10 +59,10 @@ double round_number(double value) {
 /// The plan within its frame.
 class PlanView {
  public:
-  explicit PlanView(const Eigen::AlignedBox2d& extent)
-      : frame_(
-            Eigen::Vector2d(kMarginMm, kMarginMm),
-            Eigen::Vector2d(kPageWidthMm - kMarginMm - kTitleBlockMm, kPageHeightMm - kMarginMm)),
+  PlanView(const Eigen::AlignedBox2d& extent, const Paper& paper)
+      : frame_(Eigen::Vector2d(kMarginMm, kMarginMm),
+               Eigen::Vector2d(paper.width_mm - kMarginMm - kTitleBlockMm,
+                               paper.height_mm - kMarginMm)),
         middle_(extent.isEmpty() ? Eigen::Vector2d(0.0, 0.0) : extent.center()) {
     const Eigen::Vector2d room = frame_.sizes() - Eigen::Vector2d::Constant(2.0 * kInsetMm);
     const Eigen::Vector2d size =
@@ -178,6 +177,7 @@ void draw_plan(const std::vector<VectorLayer>& layers, const PlanView& view, Pdf
   draw_void(layers, view, page);
   draw_grid(view, page);
   draw_lines(find(layers, "floor_contours"), view, {kGrey, 0.1}, page);
+  draw_lines(find(layers, "water"), view, {kWater, 0.25}, page);
   draw_lines(find(layers, "walls"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "pillars"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "centre_lines"), view, {kBlue, 0.15, true}, page);
@@ -239,11 +239,13 @@ double draw_legend(double left, double top, PdfPage& page) {
   name(6, "hazard");
   page.mark({left + 5.0, row(7)}, Mark::kTriangle, 2.4, kGreen);
   name(7, "control point");
-  return row(8) + 3.0;
+  sample(8, {kWater, 0.25});
+  name(8, "standing water, hollow, flooded");
+  return row(9) + 3.0;
 }
 
 void draw_title_block(const PlanView& view, const PlanSheetText& text, PdfPage& page) {
-  const double left = kPageWidthMm - kMarginMm - kTitleBlockMm + 6.0;
+  const double left = view.frame().max().x() + 6.0;
   const double width = kTitleBlockMm - 6.0;
   double top = kMarginMm + 6.0;
   page.text({left, top}, text.title, 5.0, kBlack);
@@ -259,9 +261,9 @@ void draw_title_block(const PlanView& view, const PlanSheetText& text, PdfPage& 
 }  // namespace
 
 void write_plan_sheet(const std::vector<VectorLayer>& layers, const PlanSheetText& text,
-                      const std::filesystem::path& path) {
-  PdfPage page(path, kPageWidthMm, kPageHeightMm, text.title, text.date);
-  const PlanView view(extent_of(layers));
+                      const Paper& paper, const std::filesystem::path& path) {
+  PdfPage page(path, paper.width_mm, paper.height_mm, text.title, text.date);
+  const PlanView view(extent_of(layers), paper);
   draw_plan(layers, view, page);
   draw_title_block(view, text, page);
   page.finish();

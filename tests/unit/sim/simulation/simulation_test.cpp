@@ -49,6 +49,16 @@ TEST(Simulation, LasersOfOneDegreeScanTwiceAsOften) {
   EXPECT_EQ(scans.front().ranges_m.size(), 181U);
 }
 
+TEST(Simulation, ANoiseSeedReplacesThatOfTheWorldForErrorsOfSensors) {
+  const Site site(box_tunnel());
+  SimulationParams params;
+  const auto by_world = bytes_of(run(site, params, 1.0, stand, 7));
+  params.noise_seed = 7;
+  EXPECT_EQ(bytes_of(run(site, params, 1.0, stand, 1)), by_world);
+  params.noise_seed = 8;
+  EXPECT_NE(bytes_of(run(site, params, 1.0, stand, 7)), by_world);
+}
+
 TEST(Simulation, OmitsAbsentSensorsAndDecimatedScans) {
   const Site site(box_tunnel());
   SimulationParams params;

@@ -3,6 +3,7 @@
 #include "tools/survey/survey.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -49,13 +50,20 @@ TEST_F(Survey, WritesItsFiles) {
   const SurveyResult result = survey();
   EXPECT_EQ(result.scans, 2U);
   EXPECT_THAT(result.frame, HasSubstr("Local grid"));
-  for (const char* name :
-       {"floor.tif", "roof.tif", "height.tif", "deviation.tif", "occupancy.tif", "sections.csv",
-        "outlines.csv", "sections.svg", "profiles.csv", "profiles.svg", "survey.gpkg",
-        "survey.geojson", "survey.dxf", "cloud.las", "plan.pdf"}) {
+  for (const char* name : {"floor.tif", "roof.tif", "height.tif", "deviation.tif", "occupancy.tif",
+                           "sections.csv", "outlines.csv", "sections.svg", "profiles.csv",
+                           "profiles.svg", "survey.gpkg", "survey.geojson", "survey.dxf",
+                           "cloud.las", "plan.pdf", "report.pdf", "void.ply", "void.obj"}) {
     EXPECT_GT(file(name).size(), 100U) << name;
   }
   EXPECT_FALSE(fs::exists(out() / ".unfinished"));
+}
+
+TEST_F(Survey, DrawsItsPlanOnTheChosenPaper) {
+  survey();
+  EXPECT_THAT(file("plan.pdf"), HasSubstr("0 0 1190.55"));  // points of 420 mm
+  survey({}, {.sheet = "A1"});
+  EXPECT_THAT(file("plan.pdf"), HasSubstr("0 0 2383.93"));  // 841 mm
 }
 
 TEST_F(Survey, IsReproducible) {
@@ -86,6 +94,9 @@ TEST_F(Survey, RejectsALogWithoutScansOrMap) {
 TEST_F(Survey, RejectsOptionsOutOfBounds) {
   EXPECT_THROW(survey({}, {.every_m = 0.0}), std::invalid_argument);
   EXPECT_THROW(survey({}, {.cell_m = 5.0}), std::invalid_argument);
+  EXPECT_THROW(survey({}, {.sheet = "A5"}), std::invalid_argument);
+  EXPECT_THROW(survey({}, {.water_level_m = std::numeric_limits<double>::infinity()}),
+               std::invalid_argument);
   EXPECT_THROW(write_survey({.mission = {folder_ / "none"}, .folder = out()}),
                std::invalid_argument);
   fs::create_directory(folder_ / "empty");

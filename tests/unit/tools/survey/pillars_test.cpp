@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/survey/plan/pillars.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kRoomCellM = 0.1;
+
+/// A room of 20 m by 20 m, 2 m high, with pillars: 4 m by 6 m, and 1.5 m by 5 m.
+ColumnGrid room() {
+  ColumnGrid grid{kRoomCellM, Grid2<SurveyColumn>(CellBox{{-5, -5}, {205, 205}})};
+  for (std::size_t i = 0; i < grid.columns.size(); ++i) {
+    const Eigen::Vector2d p = centre_of(grid.columns.cell(i), kRoomCellM);
+    const auto in = [&](double x0, double x1, double y0, double y1) {
+      return p.x() > x0 && p.x() < x1 && p.y() > y0 && p.y() < y1;
+    };
+    SurveyColumn& column = grid.columns[i];
+    column.kind = SurveyColumn::Kind::kWall;
+    if (!in(0.0, 20.0, 0.0, 20.0) || in(4.0, 8.0, 4.0, 10.0) || in(13.0, 14.5, 10.0, 15.0))
+      continue;
+    column.kind = SurveyColumn::Kind::kVoid;
+    column.floor_m = 0.0F;
+    column.roof_m = 2.0F;
+  }
+  return grid;
+}
+
+TEST(Pillars, HaveTheirAreasAndWidths) {
+  const auto pillars = pillars_of(room());
+  ASSERT_EQ(pillars.size(), 2U);
+  EXPECT_NEAR(pillars[0].area_m2.value, 7.5, 0.1);  // corners of contours are cut
+  EXPECT_NEAR(pillars[0].width_m, 1.5, 0.11);       // a cell
+  EXPECT_NEAR(pillars[0].height_m, 2.0, 1e-6);
+  EXPECT_TRUE(pillars[0].is_slender());
+  EXPECT_NEAR(pillars[1].area_m2.value, 24.0, 0.1);
+  EXPECT_NEAR(pillars[1].width_m, 4.0, 0.11);
+  EXPECT_FALSE(pillars[1].is_slender());
+}
+
+TEST(Pillars, GiveTheExtractionRatio) {
+  const Measured void_area{400.0 - 31.5, 1.0};
+  const Extraction result = extraction(pillars_of(room()), void_area);
+  EXPECT_NEAR(result.ratio.value, 1.0 - 31.5 / 400.0, 0.001);
+  EXPECT_GT(result.ratio.sd, 0.0);
+  EXPECT_TRUE(std::isnan(extraction({}, void_area).ratio.value));
+}
+
+TEST(Pillars, AreATable) {
+  const std::string table = pillar_table(pillars_of(room()), SurveyFrame::local());
+  EXPECT_THAT(table, testing::StartsWith("pillar,x_m,y_m,"));
+  EXPECT_THAT(table, testing::HasSubstr("\n1,13.7"));
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/survey/plan/pillars.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "common/geometry/order_statistics.hpp"
+#include "common/grid/distance_transform.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kPillarMinM2 = 1.0;
+constexpr double kWallSdM = 0.01;  // of the place of a wall, common to all around
+constexpr double kBesideM = 0.6;   // of an outline, for the height of the workings there
+
+/// Whether a point is within a closed ring, by the crossings to its right.
+bool is_within(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring) {
+  bool within = false;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+    const Eigen::Vector2d& a = ring[i];
+    const Eigen::Vector2d& b = ring[i + 1];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) within = !within;
+  }
+  return within;
+}
+
+/// The diameter of the largest circle in a ring; `to_void_m`: distance of each cell to void.
+double inscribed_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>& to_void_m,
+                   double cell_m) {
+  CellBox box;
+  for (const Eigen::Vector2d& p : ring) box = united(box, cell_of(p, cell_m));
+  double radius_m = 0.0;
+  for (int y = box.from.y(); y < box.to.y(); ++y) {
+    for (int x = box.from.x(); x < box.to.x(); ++x) {
+      const double distance_m = to_void_m.get({x, y}, 0.0F);
+      if (distance_m > radius_m && is_within(centre_of({x, y}, cell_m), ring))
+        radius_m = distance_m;
+    }
+  }
+  return std::max(0.0, 2.0 * radius_m - cell_m);  // from edge to edge of the cells of void
+}
+
+double height_beside_m(const std::vector<Eigen::Vector2d>& ring, const ColumnGrid& filled) {
+  const int reach = static_cast<int>(std::round(kBesideM / filled.cell_m));
+  std::vector<double> heights;
+  for (const Eigen::Vector2d& p : ring) {
+    const Eigen::Vector2i cell = cell_of(p, filled.cell_m);
+    for (const int x : {-reach, reach}) {
+      for (const int y : {-reach, reach}) {
+        const double height_m = filled.columns.get(cell + Eigen::Vector2i(x, y)).height_m();
+        if (std::isfinite(height_m)) heights.push_back(height_m);
+      }
+    }
+  }
+  return heights.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(heights));
+}
+
+}  // namespace
+
+std::vector<Pillar> pillars_of(const ColumnGrid& filled) {
+  std::vector<Pillar> pillars;
+  if (filled.columns.size() == 0) return pillars;
+  Grid2<std::uint8_t> is_void(filled.columns.box());
+  for (std::size_t i = 0; i < filled.columns.size(); ++i)
+    is_void[i] = filled.columns[i].kind == SurveyColumn::Kind::kVoid ? 1 : 0;
+  const Grid2<float> to_void_m = distance_transform(is_void, filled.cell_m);
+  for (VoidOutline& outline : void_outlines(filled)) {
+    if (!outline.is_pillar || outline.area_m2 < kPillarMinM2) continue;
+    Pillar pillar;
+    const double by_chance = 0.5 * filled.cell_m * std::sqrt(outline.length_m * filled.cell_m);
+    pillar.area_m2 = {outline.area_m2, std::hypot(outline.length_m * kWallSdM, by_chance)};
+    pillar.width_m = inscribed_m(outline.points, to_void_m, filled.cell_m);
+    pillar.height_m = height_beside_m(outline.points, filled);
+    pillar.outline = std::move(outline);
+    pillars.push_back(std::move(pillar));
+  }
+  std::ranges::stable_sort(pillars, {}, &Pillar::width_m);
+  return pillars;
+}
+
+Extraction extraction(const std::vector<Pillar>& pillars, const Measured& void_area_m2) {
+  Extraction result;
+  double pillars_sd_m2 = 0.0;
+  for (const Pillar& pillar : pillars) {
+    result.pillars_m2 += pillar.area_m2.value;
+    pillars_sd_m2 += pillar.area_m2.sd;
+  }
+  if (pillars.empty()) {
+    result.ratio = {std::numeric_limits<double>::quiet_NaN(), 0.0};
+    return result;
+  }
+  // Where the void is larger, the pillars are smaller by as much.
+  const double whole = void_area_m2.value + result.pillars_m2;
+  result.ratio = {void_area_m2.value / whole, std::hypot(void_area_m2.sd, pillars_sd_m2) / whole};
+  return result;
+}
+
+std::string pillar_table(const std::vector<Pillar>& pillars, const SurveyFrame& frame) {
+  std::string table = "pillar,x_m,y_m,area_m2,area_sd_m2,perimeter_m,width_m,height_m,slender\n";
+  int number = 0;
+  for (const Pillar& pillar : pillars) {
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& p : pillar.outline.points) middle += p;
+    middle =
+        frame.in_grid(Eigen::Vector2d(middle / static_cast<double>(pillar.outline.points.size())));
+    const bool known_height = std::isfinite(pillar.height_m);
+    fmt::format_to(std::back_inserter(table),
+                   "{},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{},{}\n", ++number, middle.x(),
+                   middle.y(), pillar.area_m2.value, pillar.area_m2.sd, pillar.outline.length_m,
+                   pillar.width_m, known_height ? fmt::format("{:.2f}", pillar.height_m) : "",
+                   known_height ? (pillar.is_slender() ? "yes" : "no") : "");
+  }
+  return table;
+}
+
+}  // namespace adit

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/survey/mine_survey.hpp"
+#include "tools/survey/section/clearance.hpp"
+#include "tools/survey/sheet/plan_sheet.hpp"
+#include "tools/survey/survey.hpp"
+#include "tools/survey/traverse/traverse_report.hpp"
+
+namespace adit {
+
+/// That a control point may be a blunder, a sentence.
+std::string suspicion(const ControlResidual& point);
+
+/// What the plan sheet says beside the plan.
+PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result);
+
+/// A person, a cart and the robot of the mission.
+std::vector<Envelope> envelopes_of(const MineSurvey& survey);
+
+/// What the report says of a survey.
+TraverseReport report_of(const MineSurvey& survey, const SurveyResult& result);
+
+}  // namespace adit

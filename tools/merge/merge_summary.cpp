@@ -50,8 +50,6 @@ Json join_json(const RunGroup& group, const PlacedRun& placed) {
   return json;
 }
 
-/// The sessions of a group are numbered from that of its first run, and change with each join; the
-/// links of a run that was joined together with others have the numbers of that join.
 Json groups_json(const MergeSummary& summary) {
   Json maps = Json::array();
   for (const RunGroup& group : summary.groups->groups()) {

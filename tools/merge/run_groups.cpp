@@ -30,6 +30,13 @@ bool RunGroups::try_join(RunGroup& group, RunGroup& other) {
   for (PlacedRun& run : other.runs) {
     run.first_map += join.first_map;
     run.first_session += join.session - sessions_before;
+    if (!run.join) continue;
+    run.join->first_map += join.first_map;
+    run.join->session += join.session - sessions_before;
+    for (JoinLink& link : run.join->links) {
+      link.older += join.first_map;
+      link.newer += join.first_map;
+    }
   }
   other.runs.front().join = std::move(join);
   std::ranges::move(other.runs, std::back_inserter(group.runs));

@@ -22,7 +22,7 @@ namespace {
 /// The journal of mapping in a folder; empty without.
 std::filesystem::path journal_in(const std::filesystem::path& folder) {
   for (const char* name : {"map.journal", "mapping.journal"}) {
-    const std::filesystem::path journal = folder / name;
+    std::filesystem::path journal = folder / name;
     if (std::filesystem::is_regular_file(journal) ||
         std::filesystem::is_regular_file(journal_copy(journal)))
       return journal;

@@ -7,6 +7,7 @@
 // Markdown; the exit code is 1 if a join is wrong.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -104,9 +105,10 @@ SameScore score_same(std::vector<TrueRun> runs, bool verbose) {
   return score;
 }
 
-bool print_recorded(const std::vector<std::filesystem::path>& folders) {
+bool print_recorded(const std::vector<std::filesystem::path>& folders, double ahead_ms) {
   std::vector<TrueRun> runs;
-  for (const std::filesystem::path& folder : folders) runs.push_back(open_true_run(folder));
+  for (const std::filesystem::path& folder : folders)
+    runs.push_back(open_true_run(folder, std::llround(1000.0 * ahead_ms)));
   const SameScore score = score_same(std::move(runs), true);
   std::cout << fmt::format(
       "\n{} of {} runs in one map, {} links, {} wrong; RMSE {:.4f} m, {:.2f} times that of the "
@@ -169,11 +171,17 @@ bool print_pairs(int first, int count, const MakeA& make_a, const MakeB& make_b)
 int main(int argc, char** argv) try {
   CLI::App app("Joins runs of simulated mines and compares the joins with the truth");
   std::vector<std::filesystem::path> same;
+  std::vector<std::filesystem::path> alike;
+  double ahead_ms = 0.0;
   std::vector<int> mines;
   std::vector<int> pairs;
   std::vector<int> plans;
   std::vector<int> tunnels;
   app.add_option("--same", same, "Folders of recorded runs of one mine");
+  app.add_option("--alike", alike,
+                 "Folders of recorded runs of different mines: each with the next");
+  app.add_option("--ahead-ms", ahead_ms,
+                 "Time by which the poses of recorded runs are ahead of the stamps of their scans");
   app.add_option("--mines", mines, "First seed and count of generated mines, ten runs in each")
       ->expected(2);
   app.add_option("--pairs", pairs, "First seed and count of pairs of mines of neighbouring seeds")
@@ -187,7 +195,12 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
   using namespace adit;
   bool good = true;
-  if (!same.empty()) good &= print_recorded(same);
+  if (!same.empty()) good &= print_recorded(same, ahead_ms);
+  if (!alike.empty()) {
+    const int last = static_cast<int>(alike.size()) - 1;
+    const auto open = [&](int i) { return open_true_run(alike[static_cast<std::size_t>(i)]); };
+    good &= print_pairs(0, last, open, [&](int i) { return open(i + 1); });
+  }
   if (!mines.empty()) good &= print_mines(mines[0], mines[1]);
   if (!pairs.empty()) {
     good &= print_pairs(

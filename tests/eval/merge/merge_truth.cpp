@@ -12,12 +12,13 @@
 
 namespace adit {
 
-TrueRun open_true_run(const std::filesystem::path& folder) {
+TrueRun open_true_run(const std::filesystem::path& folder, std::int64_t ahead_us) {
   MergeInput input = open_run(folder, {}, {}, [](const std::string&, double) {});
   MappingParams params;
   params.lasers = input.lasers;
   TrueRun run{folder.filename().string(), std::make_unique<Mapping>(params),
               read_ground_truth(folder / "run.lcmlog")};
+  for (TimedPose& pose : run.truth) pose.utime -= ahead_us;
   run.map->restore(std::move(input.map));
   return run;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -22,8 +23,10 @@ struct TrueRun {
   Trajectory truth;              ///< T_world_body
 };
 
-/// Of the folder of a mission or a map with run.lcmlog. Throws std::runtime_error.
-TrueRun open_true_run(const std::filesystem::path& folder);
+/// Of the folder of a mission or a map with run.lcmlog. `ahead_us`: time by which the estimated
+/// poses of all runs are ahead of the stamps of their scans; the truth is taken so much later.
+/// Throws std::runtime_error.
+TrueRun open_true_run(const std::filesystem::path& folder, std::int64_t ahead_us = 0);
 
 /// Runs of simulated mines with their truth, joined.
 class MergedRuns {

@@ -21,7 +21,7 @@ namespace adit::test {
 /// does. Thousands of times faster than a mission.
 struct WalkOptions {
   std::uint64_t seed = 1;  ///< of the noise of the lasers and of the errors of the odometry
-  Lasers lasers;           ///< mounts of both
+  Lasers lasers = {};      ///< mounts of both
   double step_m = 0.2;
   double turn_rad = 0.2;  ///< on the spot, at corners, per step
 };

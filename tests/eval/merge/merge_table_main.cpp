@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // merge_table: joins runs of simulated mines, and compares the maps and every link between runs
-// with the truth. --same FOLDERS: recorded runs of one mine. --mines FIRST COUNT: for each seed ten
-// walks of two robots from three places of a generated mine, and each mine with the next one, which
-// are never to be joined. --tunnels COUNT: pairs of mines with the same straight tunnel. Tables in
+// with the truth. --same: recorded runs of one mine. --alike: recorded runs of different mines, each
+// with the next. --mines: for each seed ten walks of two robots from three places of a generated
+// mine. --pairs, --plans, --tunnels: pairs of mines that are alike and never to be joined. Tables in
 // Markdown; the exit code is 1 if a join is wrong.
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@ struct RunJoinParams {
   double apart_m = 4.0;  ///< distance between local maps that are searched, and searched in
   /// Share of the length of walls that both maps observed that may contradict the join: walls of
   /// one in the free space of the other.
-  double contradicting_max = 0.1;
+  double contradicting_max = 0.05;
 
   template <class V>
   void visit(V& v) {

@@ -5,14 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/world/build_world.hpp"
-#include "sim/world/world_file.hpp"
 #include "tests/support/drives/walked_map.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kLaserHeightM = 0.6;
 constexpr double kErrorM = 0.15;  // of a local map after a walk of 130 m; matches err by 3 mm
 
 using Path = std::vector<Eigen::Vector2d>;
@@ -83,36 +80,6 @@ TEST(MappingJoin, JoinsARunThroughAnother) {
   const RunJoin join = map.map->join(*far.map);
   ASSERT_TRUE(join.joined) << join.reason;
   EXPECT_LT(largest_error_m(*map.map, map, far, join.first_map), kErrorM);
-}
-
-/// Two mines with the same smooth tunnel of 60 m, which end differently.
-TEST(MappingJoin, RefusesMinesWithTheSameStraightTunnel) {
-  const auto mine = [](double branch_m, double side) {
-    WorldDescription description = find_world("straight");
-    description.plan.tunnels = {
-        {.name = "tunnel", .points_m = {0.0, 0.0, 60.0, 0.0}, .width_m = 3.2},
-        {.name = "branch",
-         .points_m = {branch_m, 0.0, branch_m + 3.0, side * 20.0},
-         .width_m = 3.0}};
-    return test::WallWorld(build_world(description), kLaserHeightM);
-  };
-  const test::WallWorld one = mine(56.0, 1.0);
-  const test::WallWorld other = mine(52.0, -1.0);
-  const Lasers lasers = test::lasers_at_ends(1.0);
-  const test::WalkedMap map =
-      test::walked_map(one, {{3, 0}, {56, 0}, {58.5, 17}}, {.seed = 1, .lasers = lasers});
-  const test::WalkedMap run =
-      test::walked_map(other, {{3, 0}, {52, 0}, {54.5, -17}}, {.seed = 2, .lasers = lasers});
-  const RunJoin join = map.map->join(*run.map);
-  EXPECT_FALSE(join.joined) << join.reason;
-}
-
-/// The same plan, but the walls of another seed: no wall is the same to a decimetre.
-TEST(MappingJoin, RefusesAMineOfTheSamePlanWithOtherWalls) {
-  const test::WalkedMap map = walk(1, kFromPortal, 1);
-  const test::WalkedMap run = walk(2, kFromPortal, 2);
-  const RunJoin join = map.map->join(*run.map);
-  EXPECT_FALSE(join.joined) << join.reason;
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ class Mapping : private Evidence {
   /// Joins the finished map of another run, by any robot and with any start, to this one: its local
   /// maps are relocalised in this map, each link a hypothesis, and decided by the same lazy
   /// association. A single match is never enough: links must agree at several places along both
-  /// runs, in one way only, and the walls must not contradict each other. Otherwise this map stays
-  /// as it was. `run` was restored; its own decisions are kept.
+  /// runs, at one place only, and the walls must not contradict each other. Otherwise this map
+  /// stays as it was. `run` was restored; its own decisions are kept.
   RunJoin join(const Mapping& run, const RunJoinParams& params = {});
 
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.

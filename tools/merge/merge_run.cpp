@@ -97,11 +97,11 @@ std::vector<std::string> not_joined_text(const RunGroups& groups,
   for (std::size_t k = 1; k < groups.groups().size(); ++k) {
     const RunGroup& group = groups.groups()[k];
     std::string reason = "not compared";
-    for (const RefusedJoin& refused : groups.refused()) {
+    for (const RejectedJoin& rejected : groups.rejected()) {
       const std::size_t first = group.runs.front().run;
-      const bool between = (refused.to_run == map_of && refused.run == first) ||
-                           (refused.to_run == first && refused.run == map_of);
-      if (between || reason == "not compared") reason = refused.join.reason;
+      const bool between = (rejected.to_run == map_of && rejected.run == first) ||
+                           (rejected.to_run == first && rejected.run == map_of);
+      if (between || reason == "not compared") reason = rejected.join.reason;
     }
     for (const PlacedRun& placed : group.runs) {
       sentences.push_back(

@@ -12,10 +12,10 @@ namespace adit {
 
 struct MergeOptions {
   std::vector<std::filesystem::path>
-      runs;                      ///< in order of time: folders of missions or of maps, or logs
-  std::filesystem::path folder;  ///< created if it does not exist
+      runs;                           ///< in order of time: folders of missions or of maps, or logs
+  std::filesystem::path folder;       ///< created if it does not exist
   std::filesystem::path config = {};  ///< YAML, or empty: defaults
-  bool draw_graph = false;       ///< draw the pose graph into map.png
+  bool draw_graph = false;            ///< draw the pose graph into map.png
 };
 
 struct MergeResult {

@@ -105,16 +105,16 @@ std::string merge_summary_json(const MergeSummary& summary) {
                     {"map", map + 1},
                     {"warnings", summary.warnings[i]}});
   }
-  Json refused = Json::array();
-  for (const RefusedJoin& attempt : summary.groups->refused()) {
+  Json rejected = Json::array();
+  for (const RejectedJoin& attempt : summary.groups->rejected()) {
     Json json = evidence_json(attempt.join);
     json["run"] = attempt.run + 1;
     json["to_map_of_run"] = attempt.to_run + 1;
-    refused.push_back(std::move(json));
+    rejected.push_back(std::move(json));
   }
   const Json json = {{"runs", std::move(runs)},
                      {"maps", groups_json(summary)},
-                     {"refused", std::move(refused)},
+                     {"rejected", std::move(rejected)},
                      {"changes", changes_json(summary)},
                      {"optimum",
                       {{"objective", summary.optimum.objective},

@@ -25,7 +25,7 @@ struct MergeSummary {
   double wall_s = 0.0;
 };
 
-/// summary.json: runs with the map that each is in, every join with its links, every refusal with
+/// summary.json: runs with the map that each is in, every join with its links, every rejection with
 /// its reason, changes, the optimum, and the cost.
 std::string merge_summary_json(const MergeSummary& summary);
 

@@ -23,7 +23,7 @@ void RunGroups::add(std::unique_ptr<Mapping> map) {
 bool RunGroups::try_join(RunGroup& group, RunGroup& other) {
   RunJoin join = group.map->join(*other.map, params_);
   if (!join.joined) {
-    refused_.push_back({group.runs.front().run, other.runs.front().run, std::move(join)});
+    rejected_.push_back({group.runs.front().run, other.runs.front().run, std::move(join)});
     return false;
   }
   const int sessions_before = other.runs.front().first_session;

@@ -28,9 +28,9 @@ struct RunGroup {
   std::vector<PlacedRun> runs;
 };
 
-/// A join that was refused: of the map of one run with that of another, each with all that were
+/// A join that was rejected: of the map of one run with that of another, each with all that were
 /// joined to it by then.
-struct RefusedJoin {
+struct RejectedJoin {
   std::size_t to_run = 0;  ///< first run of the map
   std::size_t run = 0;     ///< first run of the map that was to be joined to it
   RunJoin join;
@@ -43,20 +43,20 @@ class RunGroups {
 
   /// Adds the restored map of a run; it has local maps.
   void add(std::unique_ptr<Mapping> map);
-  /// Tries again what was refused, as maps have grown. The largest map comes first, then in the
+  /// Tries again what was rejected, as maps have grown. The largest map comes first, then in the
   /// order of their first runs. `progress` gets the share that is done.
   void finish(const std::function<void(double)>& progress = {});
 
   [[nodiscard]] const std::vector<RunGroup>& groups() const { return groups_; }
   /// In the order of the attempts.
-  [[nodiscard]] const std::vector<RefusedJoin>& refused() const { return refused_; }
+  [[nodiscard]] const std::vector<RejectedJoin>& rejected() const { return rejected_; }
 
  private:
   bool try_join(RunGroup& group, RunGroup& other);
 
   RunJoinParams params_;
   std::vector<RunGroup> groups_;
-  std::vector<RefusedJoin> refused_;
+  std::vector<RejectedJoin> rejected_;
   std::size_t runs_ = 0;
 };
 

@@ -153,8 +153,8 @@ std::vector<LoopClosure> Mapping::find_run(const Mapping& run, const RunJoinPara
     return {};
   }
   if (alignment.rival_places > params.alignment.rival_share * alignment.places) {
-    join.reason = fmt::format("the run fits in two ways, by {} places and by {}", alignment.places,
-                              alignment.rival_places);
+    join.reason = fmt::format("the run fits at two places, by {} places and by {}",
+                              alignment.places, alignment.rival_places);
     return {};
   }
   std::vector<LoopClosure> agreeing;

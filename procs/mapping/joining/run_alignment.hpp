@@ -32,7 +32,7 @@ struct RunAlignmentParams {
   double angle_rad = 0.06;       ///< and of the angle
   double angle_per_m = 0.001;
   /// Share of the places of the best alignment that another one may have at most; above, the run
-  /// fits in two ways.
+  /// fits at two places.
   double rival_share = 0.5;
 
   template <class V>

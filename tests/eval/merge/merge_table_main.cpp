@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // merge_table: joins runs of simulated mines, and compares the maps and every link between runs
-// with the truth. --same: recorded runs of one mine. --alike: recorded runs of different mines, each
-// with the next. --mines: for each seed ten walks of two robots from three places of a generated
-// mine. --pairs, --plans, --tunnels: pairs of mines that are alike and never to be joined. Tables in
-// Markdown; the exit code is 1 if a join is wrong.
+// with the truth. --same: recorded runs of one mine. --alike: recorded runs of different mines,
+// each with the next. --mines: for each seed ten walks of two robots from three places of a
+// generated mine. --pairs, --plans, --tunnels: pairs of mines that are alike and never to be
+// joined. Tables in Markdown; the exit code is 1 if a join is wrong.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,10 +61,10 @@ struct SameScore {
   [[nodiscard]] bool good() const { return joined == runs && wrong == 0; }
 };
 
-void print_refusals(const MergedRuns& merged) {
-  for (const RefusedJoin& refused : merged.groups().refused()) {
-    std::cout << fmt::format("refused: {} to the map of {}: {}\n", merged.name(refused.run),
-                             merged.name(refused.to_run), refused.join.reason);
+void print_rejections(const MergedRuns& merged) {
+  for (const RejectedJoin& rejected : merged.groups().rejected()) {
+    std::cout << fmt::format("rejected: {} to the map of {}: {}\n", merged.name(rejected.run),
+                             merged.name(rejected.to_run), rejected.join.reason);
   }
 }
 
@@ -101,7 +101,7 @@ SameScore score_same(std::vector<TrueRun> runs, bool verbose) {
   score.joined = group.runs.size();
   score.rmse_m = rmse_m(merged.places(group));
   score.cpu_s = merged.cpu_s();
-  if (verbose || !score.good()) print_refusals(merged);
+  if (verbose || !score.good()) print_rejections(merged);
   return score;
 }
 
@@ -146,7 +146,7 @@ int print_pair(TrueRun a, TrueRun b) {
   const MergedRuns pair(std::move(runs));
   const bool joined = pair.groups().groups().size() == 1;
   const RunJoin& join = joined ? *pair.groups().groups().front().runs.back().join
-                               : pair.groups().refused().front().join;
+                               : pair.groups().rejected().front().join;
   std::cout << fmt::format("| {}, {} | {} | {} | {} | {} of {} | {:.0f} | {} |\n", pair.name(0),
                            pair.name(1), joined ? "**yes**" : "no", join.places, join.rival_places,
                            join.found, join.searched, pair.cpu_s(), join.reason)

@@ -22,7 +22,7 @@ anywhere. A RUN is the folder of a mission (adit mission), the folder of a map (
 is mapped first. Give the runs in order of time: what changed between them is told by this order.
 
 Each run's local maps are searched in the map of the others. A run is joined only if matches agree at several
-places along both, in one way only, and if the walls do not contradict each other; a run that is not is said so.
+places along both, at one place only, and if the walls do not contradict each other; a run that is not is said so.
 
 Outputs in DIR:
   map.png               picture of the map with the paths of all runs
@@ -32,7 +32,7 @@ Outputs in DIR:
   changes.png, .tsv     what some runs saw as wall and others as free space
   map.journal           the joined local maps, for adit map --resume and adit merge; only if all
                         robots have the same lasers
-  summary.json          every join with its links and evidence, every refusal with its reason
+  summary.json          every join with its links and evidence, every rejection with its reason
 
 If the runs are of several mines, the files show the map of most runs. Section `merge` of the
 configuration has the limits of a join, `changes` those of a change. See docs/howto/merge.md.)";

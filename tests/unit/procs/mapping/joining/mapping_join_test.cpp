@@ -70,7 +70,7 @@ TEST(MappingJoin, LeavesTheMapAsItWasIfTheRunWasElsewhere) {
   EXPECT_EQ(map.map->graph().constraints.size(), before.constraints.size());
 }
 
-/// Through what was refused alone a third run leads.
+/// Through what was rejected alone a third run leads.
 TEST(MappingJoin, JoinsARunThroughAnother) {
   const test::WalkedMap map = walk(1, kFromPortal, 1);
   const test::WalkedMap run = walk(1, kFromEast, 2);

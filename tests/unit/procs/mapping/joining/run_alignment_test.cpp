@@ -57,7 +57,7 @@ TEST(RunAlignment, CountsLinksByTheSameWallsOnce) {
   EXPECT_EQ(found.places, 1);
 }
 
-TEST(RunAlignment, SeesThatARunFitsInTwoWays) {
+TEST(RunAlignment, SeesThatARunFitsAtTwoPlaces) {
   const Pose2 elsewhere = kT_map_run * Pose2{0.0, 20.0, 0.0};
   std::vector<RunLink> links;
   for (int i = 0; i < 5; ++i) links.push_back(link(i, i, kT_map_run));

@@ -116,30 +116,39 @@ struct PlaceMark {
 };
 
 // In the order of drawing: what must be seen comes last.
-constexpr std::array<PlaceMark, 5> kPlaceMarks = {
+constexpr std::array<PlaceMark, 8> kPlaceMarks = {
     PlaceMark{Place::Kind::kScan, "3D scans", kScanMark, 2.6},
     PlaceMark{Place::Kind::kJunction, "junctions", kJunctionMark, 5.0},
     PlaceMark{Place::Kind::kDeadEnd, "dead ends", kDeadEndMark, 5.0},
     PlaceMark{Place::Kind::kBlockedFrontier, "blocked", kBlockedMark, 7.0},
-    PlaceMark{Place::Kind::kOpenFrontier, "open", kOpenMark, 7.0}};
+    PlaceMark{Place::Kind::kOpenFrontier, "open", kOpenMark, 7.0},
+    PlaceMark{Place::Kind::kDiffers, "differs", kDiffersMark, 3.0},
+    PlaceMark{Place::Kind::kVanished, "vanished", kVanishedMark, 3.0},
+    PlaceMark{Place::Kind::kAppeared, "appeared", kAppearedMark, 3.0}};
 
 bool has(const std::vector<Place>& places, Place::Kind kind) {
   return std::any_of(places.begin(), places.end(),
                      [&](const Place& place) { return place.kind == kind; });
 }
 
-void draw_place(const Canvas& canvas, const Eigen::Vector2d& p, const PlaceMark& mark,
-                double unit) {
-  canvas.colour(kOpen);
-  canvas.disc(p.x(), p.y(), (mark.radius + 1.6) * unit);
+void draw_place(const Canvas& canvas, const Eigen::Vector2d& p, const PlaceMark& mark, double unit,
+                bool with_rim = true, bool with_disc = true) {
+  if (with_rim) {
+    canvas.colour(kOpen);
+    canvas.disc(p.x(), p.y(), (mark.radius + 1.6) * unit);
+  }
+  if (!with_disc) return;
   canvas.colour(mark.colour);
   canvas.disc(p.x(), p.y(), mark.radius * unit);
 }
 
 void draw_places(const Canvas& canvas, const MapLayout& layout, const std::vector<Place>& places) {
   for (const PlaceMark& mark : kPlaceMarks) {
-    for (const Place& place : places) {
-      if (place.kind == mark.kind) draw_place(canvas, layout.pixel(place.p_map), mark, layout.unit);
+    for (const bool rims : {true, false}) {  // all rims first: marks of one kind may touch
+      for (const Place& place : places) {
+        if (place.kind != mark.kind) continue;
+        draw_place(canvas, layout.pixel(place.p_map), mark, layout.unit, rims, !rims);
+      }
     }
   }
 }

@@ -41,6 +41,9 @@ struct MapPicture {
       kDeadEnd,
       kBlockedFrontier,  ///< that is closed, by its evidence, without being explored
       kOpenFrontier,
+      kAppeared,  ///< a wall that earlier runs did not see; of each cell
+      kVanished,  ///< one that later runs did not see
+      kDiffers,   ///< seen by some runs only
     };
 
     Eigen::Vector2d p_map{0.0, 0.0};

@@ -28,6 +28,9 @@ inline constexpr Colour kJunctionMark = rgb(0x2f7fd6);
 inline constexpr Colour kDeadEndMark = rgb(0x8a5a2b);
 inline constexpr Colour kBlockedMark = rgb(0x6b5b95);
 inline constexpr Colour kOpenMark = rgb(0xc8102e);
+inline constexpr Colour kAppearedMark = rgb(0xd81b1b);
+inline constexpr Colour kVanishedMark = rgb(0x1f6fd0);
+inline constexpr Colour kDiffersMark = rgb(0xe08a00);
 inline constexpr Colour kRim = rgb(0xffffff, 0.85);  // rim of lines over walls
 
 /// Colours from the start of a path to its end; darker than the ground and lighter than the walls.

@@ -21,9 +21,6 @@ namespace {
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
 constexpr int kMapsAfterGap = 3;  // that are searched before it
-// Minimum log-likelihood of a place if the pose is otherwise unknown: wrong places reach about 8,
-// the correct one mostly has 20 and more.
-constexpr double kRelocalisedLogLikelihood = 15.0;
 // The number of newest maps whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
 // Of older maps, contradictions that a revision may remove.
@@ -494,23 +491,30 @@ std::vector<LoopClosure> Mapping::relocalise() const {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   const int session = maps_.back().session;
   for (int older = 0; maps_[static_cast<std::size_t>(older)].session != session; ++older) {
-    RelativePose anywhere;
-    anywhere.T_older_newer = {extents_[static_cast<std::size_t>(older)].centre().x(),
-                              extents_[static_cast<std::size_t>(older)].centre().y(), 0.0};
-    anywhere.covariance =
-        Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     LoopClosure loop_closure;
     loop_closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    loop_closure.alternatives =
-        match_maps(*walls_.back(), walls_around(older, poses), older, anywhere, params_.matching);
-    std::erase_if(loop_closure.alternatives, [](const LoopClosureAlternative& a) {
-      return a.log_likelihood < kRelocalisedLogLikelihood;
-    });
+    loop_closure.alternatives = found_anywhere(*walls_.back(), older, poses);
     if (!loop_closure.alternatives.empty()) loop_closures.push_back(std::move(loop_closure));
   }
   sort_by_likelihood(loop_closures);
   if (loop_closures.size() > kRelocalisations) loop_closures.resize(kRelocalisations);
   return loop_closures;
+}
+
+/// Searches the walls of a local map in an older one, at any pose where they have walls in common.
+std::vector<LoopClosureAlternative> Mapping::found_anywhere(const LocalWalls& newer, int older,
+                                                            const std::vector<Pose2>& poses) const {
+  RelativePose anywhere;
+  anywhere.T_older_newer = {extents_[static_cast<std::size_t>(older)].centre().x(),
+                            extents_[static_cast<std::size_t>(older)].centre().y(), 0.0};
+  anywhere.covariance =
+      Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
+  std::vector<LoopClosureAlternative> found =
+      match_maps(newer, walls_around(older, poses), older, anywhere, params_.matching);
+  std::erase_if(found, [](const LoopClosureAlternative& a) {
+    return a.log_likelihood < kRelocalisedLogLikelihood;
+  });
+  return found;
 }
 
 /// Whether the maps are neighbours in the chain of one session, which constrains them as a match

@@ -22,6 +22,7 @@
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
+#include "procs/mapping/joining/run_join.hpp"
 #include "procs/mapping/level_error.hpp"
 #include "procs/mapping/local_map_builder.hpp"
 #include "procs/mapping/local_map_store.hpp"
@@ -113,6 +114,13 @@ class Mapping : private Evidence {
   /// local maps, as between two sessions. Returns the decisions, in order.
   std::vector<Association> reconnect();
 
+  /// Joins the finished map of another run, by any robot and with any start, to this one: its local
+  /// maps are relocalised in this map, each link a hypothesis, and decided by the same lazy
+  /// association. A single match is never enough: links must agree at several places along both
+  /// runs, at one place only, and the walls must not contradict each other. Otherwise this map
+  /// stays as it was. `run` was restored; its own decisions are kept.
+  RunJoin join(const Mapping& run, const RunJoinParams& params = {});
+
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { builder_.add(reading); }
 
@@ -175,10 +183,22 @@ class Mapping : private Evidence {
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<std::array<int, 2>> known_contradictions(int last) const;
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
+  [[nodiscard]] std::vector<LoopClosureAlternative> found_anywhere(
+      const LocalWalls& newer, int older, const std::vector<Pose2>& poses) const;
+  [[nodiscard]] std::vector<LoopClosure> find_run(const Mapping& run, const RunJoinParams& params,
+                                                  RunJoin& join) const;
+  void append_run(const Mapping& run, RunJoin& join);
+  void link_run(std::vector<LoopClosure> agreeing, int first);
+  void compare_walls_of_run(int first, RunJoin& join) const;
+  void judge_run(const RunJoinParams& params, RunJoin& join) const;
   [[nodiscard]] Eigen::Matrix3d deformation(int map) const;
   void add_deformations(std::vector<LoopClosure>& loop_closures) const;
   [[nodiscard]] std::vector<PlacedWalls> walls_around(int map,
                                                       std::span<const Pose2> T_map_local) const;
+
+  /// Minimum log-likelihood of a place if the pose is otherwise unknown: wrong places reach about
+  /// 8, the correct one mostly has 20 and more.
+  static constexpr double kRelocalisedLogLikelihood = 15.0;
 
   MappingParams params_;
   LaserMounts mounts_;

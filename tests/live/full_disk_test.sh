@@ -28,7 +28,7 @@ mapfile -t inputs < <(ls)
 declare -A prints=(
   [campaign]='campaign in.yaml --out out' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
   [completion]='completion bash' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
-  [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [optimize]='optimize in.g2o'
+  [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [merge]='merge in.log --out out' [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'
   [volume]='volume in_scan.lcmlog --out out')
 # Files: command lines that write, and print nothing that matters.
@@ -36,7 +36,7 @@ declare -A writes=(
   [drive]='drive sample --waypoints in.txt --out out.lcmlog'
   [export_mcap]='export in.lcmlog --mcap out.mcap' [export_lcm]='export in.lcmlog --lcmlog out.lcmlog.zst'
   [import]='import carmen in.log out.lcmlog' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
-  [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'
+  [merge]='merge in.log --out out' [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'
   [plan]='plan in_scan.lcmlog --out out' [sample]='sample out.log --length-m 4'
   [sample_lcm]='sample out.lcmlog --length-m 4' [sample_truth]='sample out.log --length-m 4 --truth out.tum'
   [scan]='scan sample --out out.lcmlog' [scan_ply]='scan sample --out out.ply'

@@ -44,6 +44,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_key_command(*app);
   add_logs_command(*app);
   add_map_command(*app);
+  add_merge_command(*app);
   add_mission_command(*app);
   add_optimize_command(*app);
   add_order_command(*app);

@@ -56,6 +56,7 @@ void add_import_command(CLI::App& adit);
 void add_key_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
+void add_merge_command(CLI::App& adit);
 void add_mission_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
 void add_order_command(CLI::App& adit);

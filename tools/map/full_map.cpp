@@ -122,17 +122,18 @@ Spool<TimedPose> stored_odometry(const MapRange& maps, const std::filesystem::pa
 }
 
 /// True if there is no pose at the time of the scan.
-bool use_scan(const std::string& channel, const LaserScan& scan, const Spool<TimedPose>& path,
-              const FullMap::UseScan& use) {
-  const auto T_map_body = interpolate(path, scan.utime);
-  return !T_map_body || use({&channel, &scan, *T_map_body});
+bool use_scan(const std::string& channel, const LaserScan& scan, const FullMap& map,
+              std::size_t path, const FullMap::UseScan& use) {
+  const auto T_map_body = interpolate(map.paths[path], scan.utime);
+  return !T_map_body || use({&channel, &scan, *T_map_body, path});
 }
 
-bool use_scans(const MapRange& maps, const Spool<TimedPose>& path, const FullMap::UseScan& use) {
+bool use_scans(const MapRange& maps, const FullMap& full, std::size_t path,
+               const FullMap::UseScan& use) {
   for (std::size_t i = maps.begin; i < maps.end; ++i) {
     const LocalMap map = maps.store->load(i);
     for (const LocalScan& scan : map.scans) {
-      if (!use_scan(scan.channel, scan.scan, path, use)) return false;
+      if (!use_scan(scan.channel, scan.scan, full, path, use)) return false;
     }
   }
   return true;
@@ -187,11 +188,29 @@ FullMap full_map(const EarlierMap& earlier, const RunRecord& record,
   full.visit_scans = [sessions = std::move(sessions), &record](const FullMap& map,
                                                                const FullMap::UseScan& use) {
     for (std::size_t i = 0; i < sessions.size(); ++i) {
-      if (!use_scans(sessions[i], map.paths[i], use)) return false;
+      if (!use_scans(sessions[i], map, i, use)) return false;
     }
     return std::ranges::all_of(record.tail(), [&](const RunRecord::Entry& entry) {
-      return use_scan(entry.match.channel, entry.scan, map.paths.back(), use);
+      return use_scan(entry.match.channel, entry.scan, map, map.paths.size() - 1, use);
     });
+  };
+  return full;
+}
+
+FullMap full_map(const LocalMapStore& maps, MapGraph graph, const std::filesystem::path& scratch) {
+  FullMap full;
+  full.graph = std::move(graph);
+  const std::vector<MapRange> sessions = sessions_of(maps);
+  for (const MapRange& session : sessions) {
+    full.paths.push_back(corrected_path(stored_odometry(session, scratch),
+                                        anchors_of(session, full.graph), scratch));
+  }
+  add_maps(maps, full);
+  full.visit_scans = [sessions](const FullMap& map, const FullMap::UseScan& use) {
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+      if (!use_scans(sessions[i], map, i, use)) return false;
+    }
+    return true;
   };
   return full;
 }

@@ -48,6 +48,7 @@ struct PlacedScan {
   const std::string* channel = nullptr;
   const LaserScan* scan = nullptr;
   Pose2 T_map_body;
+  std::size_t path = 0;  ///< of FullMap::paths, on which it was taken
 };
 
 /// The map at the end of a run, including earlier sessions. Refers to the data of both, which must
@@ -75,6 +76,10 @@ struct EarlierMap {
 
 /// Long paths are in temporary files in `scratch`.
 FullMap full_map(const EarlierMap& earlier, const RunRecord& record,
+                 const std::filesystem::path& scratch = std::filesystem::temp_directory_path());
+
+/// A map without a run that continues it.
+FullMap full_map(const LocalMapStore& maps, MapGraph graph,
                  const std::filesystem::path& scratch = std::filesystem::temp_directory_path());
 
 /// Passes the poses of all paths to `use`, in order of time. Of two poses with the same time, the

@@ -108,6 +108,14 @@ class MapMatcher {
     return same(aligned, T) ? std::min(there, contradiction(aligned)) : there;
   }
 
+  /// Of the newer map in the older one, and the reverse.
+  [[nodiscard]] WallComparison comparison(const Pose2& T) const {
+    if (newer_points_.empty() || older_.empty()) return {};
+    const auto [there, back] = agreements(T);
+    return {newer_step_m_ * there.observed() + older_step_m_ * back.observed(),
+            newer_step_m_ * there.contradicting + older_step_m_ * back.contradicting};
+  }
+
  private:
   /// Of the newer map in the older one, and the reverse.
   [[nodiscard]] std::pair<WallAgreement, WallAgreement> agreements(const Pose2& T) const {
@@ -328,6 +336,12 @@ double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& ol
                      const Pose2& T_older_newer, const MapMatchingParams& params, double relevant) {
   const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
   return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer, relevant);
+}
+
+WallComparison compare_walls(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                             const Pose2& T_older_newer, const MapMatchingParams& params) {
+  const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
+  return MapMatcher(newer, older, there, params).comparison(T_older_newer);
 }
 
 namespace {

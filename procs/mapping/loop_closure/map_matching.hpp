@@ -107,6 +107,16 @@ double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& ol
                      const Pose2& T_older_newer, const MapMatchingParams& params,
                      double relevant = 0.0);
 
+/// Lengths of walls of either map that the other observed [m].
+struct WallComparison {
+  double observed_m = 0.0;
+  double contradicting_m = 0.0;  ///< of these, in free space
+};
+
+/// Compares the walls of two maps at a pose, each with what the other observed.
+WallComparison compare_walls(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                             const Pose2& T_older_newer, const MapMatchingParams& params);
+
 /// An upper bound of `contradiction` with the older map alone, without alignment and much cheaper:
 /// all points in space that the other map observed free, also where a wall is near.
 double contradiction_bound(const LocalWalls& newer, const LocalWalls& older,

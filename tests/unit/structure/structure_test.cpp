@@ -207,7 +207,7 @@ TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
 
 TEST(Structure, SqliteIsBehindOneClass) {
   EXPECT_THAT(stems_that_include("<sqlite3.h>"),
-              testing::ElementsAre("tools/campaign/results/database"));
+              testing::ElementsAre("tools/database/database"));
 }
 
 TEST(Structure, YamlIsBehindOneClass) {

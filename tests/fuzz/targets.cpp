@@ -227,6 +227,7 @@ std::vector<Target> all_targets() {
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
   for (Target& target : viewer_targets()) targets.push_back(std::move(target));
   for (Target& target : driver_targets()) targets.push_back(std::move(target));
+  for (Target& target : bag_targets()) targets.push_back(std::move(target));
   return targets;
 }
 

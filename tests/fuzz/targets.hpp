@@ -35,6 +35,7 @@ std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
 std::vector<Target> viewer_targets();
 std::vector<Target> driver_targets();
+std::vector<Target> bag_targets();
 
 /// All targets of all groups.
 std::vector<Target> all_targets();

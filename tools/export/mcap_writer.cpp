@@ -73,10 +73,10 @@ std::uint32_t crc(std::string_view bytes) {
 
 }  // namespace
 
-McapWriter::McapWriter(const std::filesystem::path& path)
+McapWriter::McapWriter(const std::filesystem::path& path, const std::string& profile)
     : new_file_(path), file_(new_file_.part(), path) {
   append(std::string(kMagic));
-  append_record(kHeader, Fields().text("").text(kLibrary).bytes());
+  append_record(kHeader, Fields().text(profile).text(kLibrary).bytes());
 }
 
 void McapWriter::append(const std::string& bytes) {
@@ -89,7 +89,8 @@ void McapWriter::append_record(std::uint8_t opcode, std::string_view content) {
 }
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& message_encoding,
-                                      const Schema& schema) {
+                                      const Schema& schema,
+                                      const std::map<std::string, std::string>& metadata) {
   const std::string schema_fields =
       Fields().text(schema.name).text(schema.encoding).text(schema.data).bytes();
   const auto [known, is_new] = schema_ids_.try_emplace(
@@ -97,9 +98,13 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
   if (is_new)
     schemas_.push_back(record(kSchema, Fields().u16(known->second).raw(schema_fields).bytes()));
   const auto id = static_cast<std::uint16_t>(channels_.size());
-  channels_.push_back(record(
-      kChannel,
-      Fields().u16(id).u16(known->second).text(topic).text(message_encoding).strings({}).bytes()));
+  channels_.push_back(record(kChannel, Fields()
+                                           .u16(id)
+                                           .u16(known->second)
+                                           .text(topic)
+                                           .text(message_encoding)
+                                           .strings(metadata)
+                                           .bytes()));
   // A reader of a part of the file needs them before the first message.
   if (is_new) chunk_ += schemas_.back();
   chunk_ += channels_.back();

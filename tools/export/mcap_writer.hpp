@@ -30,13 +30,15 @@ class McapWriter {
     std::map<std::string, std::string> values = {};
   };
 
-  explicit McapWriter(const std::filesystem::path& path);
+  /// `profile`: what the messages of all channels are, "ros2", or empty.
+  explicit McapWriter(const std::filesystem::path& path, const std::string& profile = {});
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
   /// Returns the id of the channel, which `write` takes. Channels with the same schema share it.
   std::uint16_t add_channel(const std::string& topic, const std::string& message_encoding,
-                            const Schema& schema);
+                            const Schema& schema,
+                            const std::map<std::string, std::string>& metadata = {});
 
   /// `log_utime`: of the recording, by which readers order messages; `utime`: of the content [µs
   /// since the epoch].

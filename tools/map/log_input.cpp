@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +17,9 @@
 #include "tools/carmen/carmen_import.hpp"
 #include "tools/log_times/time_assignment.hpp"
 #include "tools/map/reading_times.hpp"
+#include "tools/ros/bag/bag_files.hpp"
+#include "tools/ros/import/bag_import.hpp"
+#include "tools/ros/import/cloud_sequence_import.hpp"
 
 namespace adit {
 namespace {
@@ -30,12 +34,19 @@ std::vector<std::string> log_warnings(const LogHealth& health) {
   return warnings;
 }
 
+bool is_config_of_import(const LogEventView& event) {
+  if (event.channel != channels::kConfig) return false;
+  const auto message = decode<config_t>(event.data);
+  return message && message->stage == kImportStage;
+}
+
 /// What the first pass over an LCM log finds.
 struct LogSurvey {
   std::size_t events = 0;
   std::size_t scans = 0;
   bool in_order = true;  ///< by the times of recording
   bool logged_usable = true;
+  bool imported = false;
   LogHealth health;
   TimeChoice times;
   std::optional<Lasers> lasers;
@@ -54,6 +65,7 @@ LogSurvey survey(const std::filesystem::path& path, const std::function<void(dou
     latest = event->utime;
     add_times(*event, judge);
     if (!found.lasers) found.lasers = recorded_lasers(*event, found.config_warnings);
+    found.imported = found.imported || is_config_of_import(*event);
     progress(reader.fraction_read());
   }
   if (found.events == 0 && !reader.empty()) {
@@ -88,10 +100,19 @@ bool is_lcm_log(const std::filesystem::path& file) {
   return stream.good() && (begin == kSync || is_zstd(begin));
 }
 
-LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,
+LogInput::LogInput(const std::filesystem::path& path, const TopicChoice& topics,
+                   const std::filesystem::path& scratch,
                    const std::function<void(double)>& progress) {
   if (!std::ifstream(path)) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
-  if (is_lcm_log(path)) {
+  if (is_bag(path)) {
+    open_bag(path, topics, scratch, progress);
+  } else if (is_cloud_folder(path)) {
+    CloudSequenceImport clouds = import_cloud_sequence(path, scratch, {}, progress);
+    open_lcm_log(scratch, progress);
+    std::filesystem::remove(scratch);  // the open file stays readable
+    warnings_ = std::move(clouds.skipped);
+    assumptions_ = std::move(clouds.warnings);
+  } else if (is_lcm_log(path)) {
     open_lcm_log(path, progress);
   } else {
     const CarmenReport report = import_carmen(path, scratch, progress);
@@ -103,6 +124,17 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
   }
 }
 
+void LogInput::open_bag(const std::filesystem::path& path, const TopicChoice& topics,
+                        const std::filesystem::path& scratch,
+                        const std::function<void(double)>& progress) {
+  BagImport bag = import_bag(path, scratch, {topics}, progress);
+  open_lcm_log(scratch, progress);
+  std::filesystem::remove(scratch);  // the open file stays readable
+  warnings_ = std::move(bag.skipped);
+  assumptions_ = std::move(bag.warnings);
+  scans_ = bag.scans + bag.rejected_scans;
+}
+
 void LogInput::open_lcm_log(const std::filesystem::path& path,
                             const std::function<void(double)>& progress) {
   LogSurvey found = survey(path, progress);
@@ -111,6 +143,7 @@ void LogInput::open_lcm_log(const std::filesystem::path& path,
   config_warnings_ = std::move(found.config_warnings);
   times_ = found.times;
   scans_ = found.scans;
+  is_imported_ = found.imported;
   const bool as_measured = times_.source == TimeChoice::Source::kMeasured;
   if (as_measured && found.logged_usable && times_.late == 0) {
     if (found.in_order) {

@@ -27,6 +27,7 @@
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
 #include "tools/map/summary.hpp"
+#include "tools/ros/import/clouds_on_poses.hpp"
 
 namespace adit {
 namespace {
@@ -184,6 +185,7 @@ std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus
   for (const std::string& warning : input.warnings()) {
     warnings.push_back(fmt::format("skipped {}", warning));
   }
+  warnings.insert(warnings.end(), input.assumptions().begin(), input.assumptions().end());
   if (const std::string times = input.times().text(); !times.empty()) warnings.push_back(times);
   if (bus.rejected_events() > 0) {
     warnings.push_back(
@@ -215,7 +217,7 @@ MapRunResult run_map(const MapRunOptions& options,
   const ResumedMap resumed{map_journal_report(kJournal, stored), stored.losses};
   const EarlierMap earlier = earlier_map(std::move(stored), folder);
 
-  LogInput input(options.input, folder / "input.lcmlog",
+  LogInput input(options.input, options.topics, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
   std::vector<std::string> config_warnings;
   const Lasers lasers = find_lasers(config, input, config_warnings);
@@ -223,7 +225,10 @@ MapRunResult run_map(const MapRunOptions& options,
   const auto scan_matching = configure_scan_matching(config, lasers);
   const auto mapping = configure_mapping(config, lasers, folder, !options.resume.empty());
   LogWriter log(folder / "run.lcmlog");
-  ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
+  CloudsOnPoses placed(input.events());
+  EventSource& events = input.is_imported() ? placed : input.events();
+  ReplayBus bus(events, &log, replay_options(options.use_odometry));
+  placed.subscribe_to(bus);
   StopwatchBus scan_stopwatch(
       bus, {std::string(channels::kLaserFront), std::string(channels::kLaserRear)});
   StopwatchBus mapping_stopwatch(bus, {std::string(channels::kScanMatch)});
@@ -237,6 +242,10 @@ MapRunResult run_map(const MapRunOptions& options,
   const FullMap map = full_map(earlier, record, folder);
   MapRunResult result = result_of(record, map);
   result.warnings = collect_warnings(input, bus);
+  if (placed.without_pose() > 0) {
+    result.warnings.push_back(
+        fmt::format("left out {} messages of 3D scans without a pose", placed.without_pose()));
+  }
   warn_of_rejected(scan_matching_hosted, result.warnings);
   result.warnings.insert(result.warnings.end(), config_warnings.begin(), config_warnings.end());
   if (!resumed.report.empty()) result.warnings.push_back(resumed.report);

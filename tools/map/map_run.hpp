@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tools/ros/import/topic_choice.hpp"
+
 namespace adit {
 
 struct MapRunOptions {
-  std::filesystem::path input;   ///< CARMEN log, plain or gzip, or LCM log
+  std::filesystem::path input;   ///< CARMEN log, plain or gzip, LCM log, or bag of ROS
+  TopicChoice topics = {};       ///< of a bag
   std::filesystem::path folder;  ///< created if it does not exist
   std::filesystem::path config;  ///< YAML, or empty: defaults
   bool use_odometry = true;      ///< false: wheel odometry and IMU are not replayed

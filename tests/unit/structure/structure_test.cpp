@@ -206,8 +206,12 @@ TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
 }
 
 TEST(Structure, SqliteIsBehindOneClass) {
-  EXPECT_THAT(stems_that_include("<sqlite3.h>"),
-              testing::ElementsAre("tools/campaign/results/database"));
+  EXPECT_THAT(stems_that_include("<sqlite3.h>"), testing::ElementsAre("tools/database/database"));
+}
+
+TEST(Structure, CompressionsOfBagsAreBehindOneFunction) {
+  EXPECT_THAT(stems_that_include("<bzlib.h>"), testing::ElementsAre("tools/ros/bag/unpack"));
+  EXPECT_THAT(stems_that_include("<lz4"), testing::ElementsAre("tools/ros/bag/unpack"));
 }
 
 TEST(Structure, YamlIsBehindOneClass) {

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/App.hpp>
@@ -18,6 +20,7 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
 #include "tools/export/mcap_export.hpp"
+#include "tools/export/ros2/ros2_export.hpp"
 #include "viewer/view/viewer_options.hpp"
 
 namespace adit {
@@ -29,6 +32,7 @@ struct ExportOptions {
   std::vector<fs::path> logs;
   fs::path mcap;
   fs::path lcmlog;
+  fs::path rosbag2;
   fs::path config;
 };
 
@@ -38,6 +42,11 @@ for Foxglove, Lichtblick and the command mcap: poses, lasers, map, 3D scans, pos
 Messages have the time at which the log was recorded. Map and volume are written as rarely as keeps each
 below 100 kB per second of the mission, and at the end.
 
+--rosbag2 writes a folder for the tools of ROS 2 (ros2 bag, RViz): an MCAP file with messages of sensor_msgs, nav_msgs,
+geometry_msgs and tf2_msgs in CDR, which other readers of MCAP open alone, and metadata.yaml. Topics: /scan_front, /scan_rear,
+/wheel_odometry, /imu, /pose, /path, /cloud, /map, /tf, /tf_static; frames: map, odom, base_link, laser_front, laser_rear.
+Scans are complete; the map is written every ten seconds and at the end.
+
 --lcmlog writes the messages as they are, as one LCM log: compressed with zstd if the name ends with .zst,
 plain otherwise, for lcm-logplayer. All commands read both.
 
@@ -46,8 +55,21 @@ when it is complete.)";
 
 constexpr const char* kExportExamples =
     R"(  adit export mission/run.lcmlog --mcap mission.mcap
+  adit export mission/run.lcmlog --rosbag2 mission_bag
   adit export run.lcmlog --lcmlog run.lcmlog.zst       compress a log
   adit export run.lcmlog.zst --lcmlog run.lcmlog       and decompress it)";
+
+void export_to_rosbag2(const ExportOptions& options) {
+  const ViewerParameters parameters = load_viewer_parameters(options.config);
+  std::optional<RunProgress> progress(std::in_place, options.rosbag2);
+  const Ros2Export result =
+      export_ros2(options.logs, options.rosbag2, parameters.scene,
+                  [&progress](double done) { progress->update("exporting", done); });
+  progress.reset();
+  for (const std::string& warning : result.warnings) print_error("adit", warning);
+  std::cout << fmt::format("{}: {} messages of {} topics\n", options.rosbag2.string(),
+                           result.messages, result.topics);
+}
 
 void export_to_mcap(const ExportOptions& options) {
   const ViewerParameters parameters = load_viewer_parameters(options.config);
@@ -99,8 +121,9 @@ void export_to_lcmlog(const ExportOptions& options) {
 }
 
 void run(const ExportOptions& options) {
-  if (options.mcap.empty() && options.lcmlog.empty())
-    throw std::invalid_argument("either --mcap or --lcmlog is required");
+  if (options.mcap.empty() && options.lcmlog.empty() && options.rosbag2.empty())
+    throw std::invalid_argument("one of --mcap, --rosbag2 and --lcmlog is required");
+  if (!options.rosbag2.empty()) return export_to_rosbag2(options);
   const fs::path& file = options.mcap.empty() ? options.lcmlog : options.mcap;
   require_other_file(file, options.logs);
   if (options.mcap.empty()) return export_to_lcmlog(options);
@@ -111,7 +134,8 @@ void run(const ExportOptions& options) {
 
 void add_export_command(CLI::App& adit) {
   CLI::App* command = add_command(
-      adit, "export", "Convert LCM logs to MCAP for Foxglove, or to a compressed or plain LCM log");
+      adit, "export",
+      "Convert LCM logs to MCAP for Foxglove, a rosbag2, or a compressed or plain LCM log");
   set_help(*command, {kExportDetails, "", kExportExamples});
   const auto options = std::make_shared<ExportOptions>();
   command->add_option("LOG", options->logs, "LCM logs of one mission")
@@ -119,11 +143,18 @@ void add_export_command(CLI::App& adit) {
       ->required();
   CLI::Option* const mcap =
       command->add_option("--mcap", options->mcap, "MCAP file to write")->type_name("FILE");
+  CLI::Option* const lcmlog = command
+                                  ->add_option("--lcmlog", options->lcmlog,
+                                               "LCM log to write; compressed if it ends with .zst")
+                                  ->type_name("FILE")
+                                  ->excludes(mcap);
+  command->add_option("--rosbag2", options->rosbag2, "Folder to write, for the tools of ROS 2")
+      ->type_name("DIR")
+      ->excludes(mcap)
+      ->excludes(lcmlog);
   command
-      ->add_option("--lcmlog", options->lcmlog, "LCM log to write; compressed if it ends with .zst")
-      ->type_name("FILE")
-      ->excludes(mcap);
-  command->add_option("--config", options->config, "YAML file with a section viewer, for --mcap")
+      ->add_option("--config", options->config,
+                   "YAML file with a section viewer, for --mcap and --rosbag2")
       ->type_name("FILE");
   command->callback([options] { run(*options); });
 }

@@ -11,6 +11,7 @@
 #include "common/text/message_text.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/run_progress.hpp"
+#include "tools/adit/topic_options.hpp"
 #include "tools/map/map_run.hpp"
 
 namespace adit {
@@ -32,6 +33,9 @@ Outputs in DIR:
   summary.json          scans, path length, loop closures, computation times, memory, degenerate motion,
                         stretches on which the map may be wrong
 
+Of a bag of ROS (ROS 1, rosbag2, MCAP) the topics are chosen as by adit import bag, which explains them; of a folder
+of point clouds the level slices are mapped (adit import clouds).
+
 The poses of the lasers on the body are read from the section `lasers` of the configuration, else from the
 log (channel CONFIG); by default the lasers are at the origin of the body.
 
@@ -41,6 +45,7 @@ wrong: check map.png with --draw-graph. DIR and the folder to resume may be the 
 
 constexpr const char* kMapExamples =
     R"(  adit map intel.log.gz --out intel                    a CARMEN log
+  adit map run.bag --out mine --front /scan            a bag of ROS, with two lasers
   adit map run.lcmlog --out laser_only --no-odometry   laser only
   adit map second.lcmlog --out both --resume first     continue the map in the folder first
   adit-mapping --print-config > my.yaml                print all parameters of a stage, edit them, then
@@ -73,7 +78,9 @@ void add_map_command(CLI::App& adit) {
       add_command(adit, "map", "Build a 2D map and the trajectory from a laser log (SLAM)");
   set_help(*command, {kMapDetails, "", kMapExamples});
   const auto options = std::make_shared<MapRunOptions>();
-  command->add_option("INPUT", options->input, "CARMEN log, plain or gzip, or LCM log")
+  command
+      ->add_option("INPUT", options->input,
+                   "LCM log, CARMEN log (plain or gzip), bag of ROS, or folder of point clouds")
       ->type_name("FILE")
       ->required();
   command->add_option("--out", options->folder, "Output folder; created if it does not exist")
@@ -90,6 +97,7 @@ void add_map_command(CLI::App& adit) {
       ->type_name("DIR");
   command->add_flag("--draw-graph", options->draw_graph,
                     "Draw local maps and loop closures in map.png, also revoked ones");
+  add_topic_options(*command, options->topics);
   command->callback([options] { map(*options); });
 }
 

@@ -8,9 +8,9 @@
 
 #include "tools/campaign/definition/campaign_definition.hpp"
 #include "tools/campaign/definition/campaign_plan.hpp"
-#include "tools/campaign/results/database.hpp"
 #include "tools/campaign/run/campaign_folder.hpp"
 #include "tools/campaign/run/unit_result.hpp"
+#include "tools/database/database.hpp"
 
 namespace adit {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tools/campaign/definition/campaign_definition.hpp"
-#include "tools/campaign/results/database.hpp"
 #include "tools/campaign/results/rates.hpp"
+#include "tools/database/database.hpp"
 
 namespace adit {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tools/campaign/definition/campaign_definition.hpp"
-#include "tools/campaign/results/database.hpp"
+#include "tools/database/database.hpp"
 
 namespace adit {
 

@@ -37,6 +37,8 @@ class AditCommand : public testing::Test {
 TEST_F(AditCommand, DescribesEveryCommandInItsHelp) {
   EXPECT_EQ(adit({"--help"}).exit_code, 0);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
+                                                  {"import", "bag"},
+                                                  {"import", "clouds"},
                                                   {"eval", "map"},
                                                   {"eval", "relations"},
                                                   {"drive"},
@@ -77,6 +79,10 @@ TEST_F(AditCommand, ReportsInvalidUsageInOneLineWithExitCodeTwo) {
         {"sample"},
         {"sample", at("x.txt")},
         {"import", "carmen", at("missing"), at("out")},
+        {"import", "bag", at("missing"), at("out")},
+        {"import", "bag", at("missing")},
+        {"import", "clouds", at("missing"), at("out")},
+        {"export", at("missing"), "--rosbag2", at("out")},
         {"sample", "/nonexistent/x.log"},
         {"sample", at("x.log"), "--length-m", "0"},
         {"sample", at("x.log"), "--world", "flat"},

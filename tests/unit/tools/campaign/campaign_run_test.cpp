@@ -21,7 +21,7 @@
 #include "tests/unit/procs/supervisor/processes.hpp"
 #include "tests/unit/tools/report/markup_check.hpp"
 #include "tools/campaign/campaign_status.hpp"
-#include "tools/campaign/results/database.hpp"
+#include "tools/database/database.hpp"
 
 namespace adit {
 namespace {

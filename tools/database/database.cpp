@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/campaign/results/database.hpp"
+#include "tools/database/database.hpp"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -11,6 +11,19 @@ namespace adit {
 namespace {
 
 constexpr int kBusyTimeoutMs = 10'000;
+
+/// The path as an URI that tells SQLite to create no files beside it.
+std::string immutable_uri(const std::filesystem::path& path) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).string()) {
+    if (c == '%' || c == '?' || c == '#') {
+      uri += fmt::format("%{:02X}", static_cast<unsigned>(c));
+    } else {
+      uri += c;
+    }
+  }
+  return uri + "?immutable=1";
+}
 
 [[noreturn]] void fail_of(sqlite3* database) {
   const char* const path = sqlite3_db_filename(database, "main");
@@ -76,6 +89,13 @@ std::string SqlStatement::text(int column) const {
   return value ? reinterpret_cast<const char*>(value) : "";
 }
 
+std::span<const std::uint8_t> SqlStatement::bytes(int column) const {
+  const auto* const value =
+      static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
+  if (value == nullptr) return {};
+  return {value, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
+}
+
 std::int64_t SqlStatement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
@@ -95,7 +115,10 @@ Database::Database(const std::filesystem::path& path, Mode mode) {
   sqlite3* database = nullptr;
   const int flags =
       mode == Mode::kWrite ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
-  const int code = sqlite3_open_v2(path.c_str(), &database, flags, nullptr);
+  const bool finished = mode == Mode::kReadFinished;
+  const std::string name = finished ? immutable_uri(path) : path.string();
+  const int code =
+      sqlite3_open_v2(name.c_str(), &database, finished ? flags | SQLITE_OPEN_URI : flags, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) {
     throw FileError(fmt::format("{}: {}", path.string(),

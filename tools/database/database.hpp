@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 struct sqlite3;
@@ -32,6 +33,8 @@ class SqlStatement {
   [[nodiscard]] bool is_number(int column) const;
   /// The value as text; empty for null.
   [[nodiscard]] std::string text(int column) const;
+  /// The value as bytes, valid until the next step; empty for null.
+  [[nodiscard]] std::span<const std::uint8_t> bytes(int column) const;
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double number(int column) const;
   /// Whether the value is true (not zero); nothing for null.
@@ -55,7 +58,11 @@ class SqlStatement {
 /// too. Throws FileError with the path.
 class Database {
  public:
-  enum class Mode { kWrite, kRead };
+  enum class Mode {
+    kWrite,
+    kRead,
+    kReadFinished  ///< a file that nobody writes, also on a medium that cannot be written
+  };
 
   /// Creates the file for kWrite.
   Database(const std::filesystem::path& path, Mode mode);

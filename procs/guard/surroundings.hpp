@@ -15,6 +15,7 @@
 #include "procs/guard/guard_params.hpp"
 #include "procs/guard/laser_monitor.hpp"
 #include "procs/guard/obstacle_check.hpp"
+#include "procs/guard/seen_ground.hpp"
 
 namespace adit {
 
@@ -27,7 +28,7 @@ class Surroundings {
   void receive(LaserId laser, const TiltReading& reading, std::int64_t at_us);
   void receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
                const Eigen::Vector3d& up_body);
-  void move_to(const Pose2& T_odom_body) { flank_memory_.move_to(T_odom_body); }
+  void move_to(const Pose2& T_odom_body);
 
   /// The obstacle within the stopping distance, as text; nothing without one or at zero speed.
   /// `arc` names the motion in that text. `for_release`: within the stopping distance and the
@@ -35,7 +36,9 @@ class Surroundings {
   [[nodiscard]] std::optional<std::string> obstacle_on(const ArcMotion& motion, const char* arc,
                                                        bool for_release, std::int64_t now_us) const;
 
-  /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed.
+  /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed. In
+  /// reverse without a rear laser: the fault of the front one, or ground that is not known to be
+  /// free within the stopping distance.
   [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,
                                                           std::int64_t now_us) const;
 
@@ -50,6 +53,7 @@ class Surroundings {
   LaserMonitor front_;
   LaserMonitor rear_;
   FlankMemory flank_memory_;
+  std::optional<SeenGround> seen_ground_;  ///< without a rear laser
 };
 
 }  // namespace adit

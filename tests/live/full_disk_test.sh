@@ -22,18 +22,19 @@ printf '1700000000.4 1700000001.4 0 0 0 0 0 0\n' > in.relations
 "$adit" scan sample --out in_scan.lcmlog >/dev/null || exit 1
 printf '0 0\n1 0\n' > in.txt
 printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
+printf 'lasers: {rear: {T_body_laser: {x_m: -1}}}\n' > in_robot.yaml
 mapfile -t inputs < <(ls)
 
 # Standard output: command lines that print a result.
 declare -A prints=(
-  [campaign]='campaign in.yaml --out out' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
+  [campaign]='campaign in.yaml --out out' [check]='check in_robot.yaml' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
   [completion]='completion bash' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
   [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'
   [volume]='volume in_scan.lcmlog --out out')
 # Files: command lines that write, and print nothing that matters.
 declare -A writes=(
-  [drive]='drive sample --waypoints in.txt --out out.lcmlog'
+  [check_picture]='check in_robot.yaml --picture out.png' [drive]='drive sample --waypoints in.txt --out out.lcmlog'
   [export_mcap]='export in.lcmlog --mcap out.mcap' [export_lcm]='export in.lcmlog --lcmlog out.lcmlog.zst'
   [import]='import carmen in.log out.lcmlog' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
   [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'

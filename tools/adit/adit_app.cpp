@@ -35,6 +35,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->get_formatter()->column_width(34);
   app->footer(kAppFooter);
   add_campaign_command(*app);
+  add_check_command(*app);
   add_check_driver_command(*app);
   add_completion_command(*app);
   add_drive_command(*app);

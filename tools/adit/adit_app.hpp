@@ -42,6 +42,7 @@ void add_key_option(CLI::App& command, std::string& key);
 
 // Each function adds one sub-command (add_process_commands: start, stop, restart and ps).
 void add_campaign_command(CLI::App& adit);
+void add_check_command(CLI::App& adit);
 void add_check_driver_command(CLI::App& adit);
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);

@@ -123,7 +123,7 @@ LaserScan LaserModel::measure(const PoseAt& T_world_laser, std::int64_t utime) {
   const std::span<const Ray> rays = fan_.rays(T_world_laser);
   hits_.resize(rays.size());
   scene_.cast(rays, ray_length_m_, hits_);
-  LaserScan scan{utime, {}, -std::numbers::pi / 2.0, params_.angle_step_rad()};
+  LaserScan scan{utime, {}, -params_.field_of_view_rad / 2.0, params_.angle_step_rad()};
   scan.ranges_m.reserve(static_cast<std::size_t>(params_.beams));
   const auto n = static_cast<std::size_t>(params_.subrays);
   for (std::size_t i = 0; i < rays.size(); i += n) {

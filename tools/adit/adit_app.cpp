@@ -38,6 +38,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_check_command(*app);
   add_check_driver_command(*app);
   add_completion_command(*app);
+  add_doctor_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);
   add_export_command(*app);

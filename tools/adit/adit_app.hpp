@@ -45,6 +45,7 @@ void add_campaign_command(CLI::App& adit);
 void add_check_command(CLI::App& adit);
 void add_check_driver_command(CLI::App& adit);
 void add_completion_command(CLI::App& adit);
+void add_doctor_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_export_command(CLI::App& adit);

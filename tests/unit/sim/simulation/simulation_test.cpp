@@ -49,6 +49,20 @@ TEST(Simulation, LasersOfOneDegreeScanTwiceAsOften) {
   EXPECT_EQ(scans.front().ranges_m.size(), 181U);
 }
 
+TEST(Simulation, ARobotWithOneLaserHasNoReadingsOfARearOne) {
+  const Site site(box_tunnel());
+  SimulationParams params;
+  params.lasers.count = 1;
+  params.lasers.front.field_of_view_rad = 1.5 * std::numbers::pi;
+  params.lasers.front.timing = {.mirror_hz = 40.0, .mirror_turns = 1};
+  params.laser.beams = 1081;
+  const auto readings = run(site, params, 2.0);
+  EXPECT_EQ(scans_of(readings, SimLaser::kFront).size(), 79U);  // the last beam comes 18.75 ms late
+  EXPECT_EQ(scans_of(readings, SimLaser::kFront).front().ranges_m.size(), 1081U);
+  EXPECT_THAT(scans_of(readings, SimLaser::kRear), testing::IsEmpty());
+  EXPECT_EQ(only<LaserTiltReading>(readings).size(), 100U);
+}
+
 TEST(Simulation, OmitsAbsentSensorsAndDecimatedScans) {
   const Site site(box_tunnel());
   SimulationParams params;

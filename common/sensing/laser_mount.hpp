@@ -12,8 +12,8 @@
 
 namespace adit {
 
-/// Extrinsics, field of view, timing and valid range of a planar laser. The laser may be tilted about an axis parallel to
-/// its own y axis.
+/// Extrinsics, field of view, timing and valid range of a planar laser. The laser may be tilted
+/// about an axis parallel to its own y axis.
 struct LaserMount {
   Pose2 T_body_laser;         ///< pose of the level laser in the body frame [m, rad]
   double height_m = 0.0;      ///< height of the level laser above the origin of the body frame
@@ -21,7 +21,8 @@ struct LaserMount {
   double lever_z_m = 0.0;     ///< height of the laser above the tilt axis, when level
   double range_min_m = 0.1;   ///< shorter readings are invalid (dirt on the window, no reading)
   double range_max_m = 50.0;  ///< readings at or beyond are no-returns
-  double field_of_view_rad = std::numbers::pi;  ///< between first and last beam, x axis in its middle
+  double field_of_view_rad =
+      std::numbers::pi;  ///< between first and last beam, x axis in its middle
   ScanTiming timing{};
 
   template <class V>

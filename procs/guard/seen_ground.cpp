@@ -10,14 +10,14 @@ namespace adit {
 namespace {
 
 constexpr double kCellM = 0.1;
-constexpr double kReachM = 8.0;      // from the vehicle; farther cells are forgotten
-constexpr double kRangeM = 5.0;      // of a beam that counts
-constexpr double kShortOfM = 0.05;   // before the obstacle that a beam hit
-constexpr double kJumpM = 0.5;       // maximum step between poses
-constexpr double kMovedM = 0.05;     // between two scans, or two footprints, that are added
+constexpr double kReachM = 8.0;     // from the vehicle; farther cells are forgotten
+constexpr double kRangeM = 5.0;     // of a beam that counts
+constexpr double kShortOfM = 0.05;  // before the obstacle that a beam hit
+constexpr double kJumpM = 0.5;      // maximum step between poses
+constexpr double kMovedM = 0.05;    // between two scans, or two footprints, that are added
 constexpr double kTurnedRad = 0.05;
-constexpr double kSampleM = 0.05;    // along the motion and along the edge of the footprint
-constexpr double kInsideM = 0.02;    // the edge of the footprint that must be known lies inside it
+constexpr double kSampleM = 0.05;  // along the motion and along the edge of the footprint
+constexpr double kInsideM = 0.02;  // the edge of the footprint that must be known lies inside it
 
 std::int64_t cell_of(const Eigen::Vector2d& p_odom) {
   const auto index = [](double value) {

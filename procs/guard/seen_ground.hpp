@@ -16,10 +16,11 @@
 
 namespace adit {
 
-/// The ground around a vehicle that is known to be free, for motions to a side on which it is blind:
-/// where the vehicle has been, and what lay between the laser and the obstacles that it saw. Cells
-/// of 0.1 m in odom, within 8 m of the vehicle. All is forgotten when the pose jumps. What comes
-/// there afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
+/// The ground around a vehicle that is known to be free, for motions to a side on which it is
+/// blind: where the vehicle has been, and what lay between the laser and the obstacles that it saw.
+/// Cells of 0.1 m in odom, within 8 m of the vehicle. All is forgotten when the pose jumps. What
+/// comes there afterwards is not noticed: a vehicle with one laser needs its surroundings to
+/// itself.
 class SeenGround {
  public:
   SeenGround(const Vehicle& vehicle, const LaserMount& laser);

@@ -148,9 +148,7 @@ void ScanAssembly::start_lines() {
   if (!measured) problem_ = "no IMU readings at rest: levelled by the attitude of the pose";
 }
 
-const LaserMount& ScanAssembly::mount() const {
-  return params_.lasers.of(request_.laser);
-}
+const LaserMount& ScanAssembly::mount() const { return params_.lasers.of(request_.laser); }
 
 std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   if (scans_.empty()) return std::nullopt;

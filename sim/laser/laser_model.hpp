@@ -42,7 +42,7 @@ class BeamFan {
   void add_beam_time(int turn, double share_of_view);
 
   std::size_t subrays_;
-  int intervals_;                      ///< between the knots of a turn
+  int intervals_;                     ///< between the knots of a turn
   std::vector<double> knot_times_s_;  ///< where the pose is evaluated
   std::vector<BeamTime> beam_times_;
   std::vector<Ray> rays_laser_;  ///< in the laser's frame

@@ -9,7 +9,8 @@
 
 namespace adit {
 
-/// Model of a planar laser with its errors, by default of a SICK LMS-200. Sources of the values: docs/decisions/simulator.md.
+/// Model of a planar laser with its errors, by default of a SICK LMS-200. Sources of the values:
+/// docs/decisions/simulator.md.
 struct LaserParams {
   int beams = 361;  ///< over the field of view; a SICK LMS-200 has 361, or 181 at twice the rate
   double unit_m =

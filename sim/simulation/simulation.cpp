@@ -83,7 +83,8 @@ class Simulation::Impl {
         imu_(params.imu, stream_seed(seed, RandomStream::kImu)),
         queue_(faults_, stream_seed(seed, RandomStream::kPacketLoss)),
         utime_(start_utime) {
-    for (const SimLaser laser : laser_ids()) lasers_.push_back(make_laser(laser, seed, start_utime));
+    for (const SimLaser laser : laser_ids())
+      lasers_.push_back(make_laser(laser, seed, start_utime));
   }
 
   void command(const DriveCommand& command) { vehicle_.command(command); }

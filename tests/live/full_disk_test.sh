@@ -28,6 +28,7 @@ mapfile -t inputs < <(ls)
 # Standard output: command lines that print a result.
 declare -A prints=(
   [campaign]='campaign in.yaml --out out' [check]='check in_robot.yaml' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
+  [check-stop]='check-stop guard --log in.lcmlog' [check-motion]='check-motion left --log in.lcmlog'
   [completion]='completion bash' [doctor]='doctor --seconds 0.2' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
   [import]='import carmen in.log out.lcmlog' [map]='map in.log --out out' [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'

@@ -37,6 +37,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_campaign_command(*app);
   add_check_command(*app);
   add_check_driver_command(*app);
+  add_commission_commands(*app);
   add_completion_command(*app);
   add_doctor_command(*app);
   add_drive_command(*app);

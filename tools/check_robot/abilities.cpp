@@ -34,8 +34,9 @@ std::string blind_text(const RobotConfig& robot) {
                         side_of(arc.middle_rad()), kBesideM, deg(arc.from_rad), deg(arc.to_rad));
   }
   if (!robot.lasers.has_rear()) {
-    text += "blind     no rear laser: it turns round by driving, and reverses only over ground that "
-            "it saw or came over; what comes there afterwards it does not see\n";
+    text +=
+        "blind     no rear laser: it turns round by driving, and reverses only over ground that "
+        "it saw or came over; what comes there afterwards it does not see\n";
   }
   return text;
 }
@@ -55,8 +56,7 @@ Abilities abilities_of(const RobotConfig& robot) {
   abilities.bump_max_m = std::max(0.0, vehicle.belly_clearance_m - ground.belly_margin_m);
   abilities.slope_max_rad = ground.slope_max_rad;
   const double radius = vehicle.turning_radius_m * (1.0 + robot.planning.primitives.radius_reserve);
-  abilities.turn_width_m =
-      2.0 * std::hypot(radius + 0.5 * vehicle.width_m, 0.5 * vehicle.length_m);
+  abilities.turn_width_m = 2.0 * std::hypot(radius + 0.5 * vehicle.width_m, 0.5 * vehicle.length_m);
   const double step_rad = laser.field_of_view_rad / std::max(1, robot.sim.laser.beams - 1);
   abilities.scan_period_s = laser.timing.scan_period_s(step_rad);
   const auto stopping_m = [&](double speed) {
@@ -78,18 +78,20 @@ std::string text_of_abilities(const RobotConfig& robot) {
                       can.width_full_m);
   text += fmt::format("passes    height {:.2f} m ({} + {})\n", can.height_min_m, vehicle.height_m,
                       robot.planning.c_space.ground.roof_margin_m);
-  text += fmt::format("passes    steps of {:.2f} m under the wheels, of {:.2f} m between them, slopes "
-                      "of {:.0f}°\n",
-                      can.step_max_m, can.bump_max_m, deg(can.slope_max_rad));
-  text += fmt::format("turns     in a circle of {:.2f} m, at turning_radius_m = {} with a reserve of "
-                      "{:.0f} %; in less by moving forwards and backwards\n",
-                      can.turn_width_m, vehicle.turning_radius_m,
-                      100.0 * robot.planning.primitives.radius_reserve);
-  text += fmt::format("stops     within {:.2f} m at {} m/s: {} x ({} reaction + {:.3f} scan) + {}² / "
-                      "(2 x {}) + {} margin; within {:.2f} m at {} m/s\n",
-                      can.stopping_m, speed, speed, obstacle.reaction_s, can.scan_period_s, speed,
-                      obstacle.braking_m_s2, obstacle.margin_m, can.stopping_creep_m,
-                      robot.driving.speed.creep_m_s);
+  text += fmt::format(
+      "passes    steps of {:.2f} m under the wheels, of {:.2f} m between them, slopes "
+      "of {:.0f}°\n",
+      can.step_max_m, can.bump_max_m, deg(can.slope_max_rad));
+  text += fmt::format(
+      "turns     in a circle of {:.2f} m, at turning_radius_m = {} with a reserve of "
+      "{:.0f} %; in less by moving forwards and backwards\n",
+      can.turn_width_m, vehicle.turning_radius_m, 100.0 * robot.planning.primitives.radius_reserve);
+  text += fmt::format(
+      "stops     within {:.2f} m at {} m/s: {} x ({} reaction + {:.3f} scan) + {}² / "
+      "(2 x {}) + {} margin; within {:.2f} m at {} m/s\n",
+      can.stopping_m, speed, speed, obstacle.reaction_s, can.scan_period_s, speed,
+      obstacle.braking_m_s2, obstacle.margin_m, can.stopping_creep_m,
+      robot.driving.speed.creep_m_s);
   for (const NamedLaser& laser : lasers_of(robot.lasers)) {
     text += fmt::format("sees      {}: {:.0f}° from {} to {} m, {} x the stopping distance\n",
                         laser.name, deg(laser.mount.field_of_view_rad), laser.mount.range_min_m,

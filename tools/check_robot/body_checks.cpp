@@ -12,9 +12,9 @@
 namespace adit {
 namespace {
 
-constexpr double kRoundingM = 1e-6;         // of sums of lengths that are equal
+constexpr double kRoundingM = 1e-6;           // of sums of lengths that are equal
 constexpr double kSteeringAngleMaxRad = 1.0;  // of a wheel; more than any steering linkage reaches
-constexpr double kDensityMin = 30.0;        // [kg/m³] of the box around a robot
+constexpr double kDensityMin = 30.0;          // [kg/m³] of the box around a robot
 constexpr double kDensityMax = 3000.0;
 constexpr double kCentreOfMassShare = 0.5;  // of the height, the highest that is usual
 
@@ -41,18 +41,19 @@ double steering_angle_rad(const Vehicle& vehicle) {
 }
 
 void check_wheels(const Vehicle& vehicle, CheckResults& results) {
-  check_at_most(results,
-                fmt::format("track_m + wheel_width_m = {} + {}", vehicle.track_m,
-                            vehicle.wheel_width_m),
-                vehicle.track_m + vehicle.wheel_width_m, "width_m", vehicle.width_m,
-                "the wheels stand out of the body. track_m is from the middle of the left wheel to the "
-                "middle of the right one; width_m includes all that protrudes");
-  check_at_most(results,
-                fmt::format("wheelbase_m + 2 wheel_radius_m = {} + {}", vehicle.wheelbase_m,
-                            2.0 * vehicle.wheel_radius_m),
-                vehicle.wheelbase_m + 2.0 * vehicle.wheel_radius_m, "length_m", vehicle.length_m,
-                "the wheels stand out of the body. wheelbase_m is from axle to axle, wheel_radius_m "
-                "half a diameter; length_m includes bumpers and lasers");
+  check_at_most(
+      results,
+      fmt::format("track_m + wheel_width_m = {} + {}", vehicle.track_m, vehicle.wheel_width_m),
+      vehicle.track_m + vehicle.wheel_width_m, "width_m", vehicle.width_m,
+      "the wheels stand out of the body. track_m is from the middle of the left wheel to the "
+      "middle of the right one; width_m includes all that protrudes");
+  check_at_most(
+      results,
+      fmt::format("wheelbase_m + 2 wheel_radius_m = {} + {}", vehicle.wheelbase_m,
+                  2.0 * vehicle.wheel_radius_m),
+      vehicle.wheelbase_m + 2.0 * vehicle.wheel_radius_m, "length_m", vehicle.length_m,
+      "the wheels stand out of the body. wheelbase_m is from axle to axle, wheel_radius_m "
+      "half a diameter; length_m includes bumpers and lasers");
   check_at_most(results, "step_max_m", vehicle.step_max_m, "wheel_radius_m", vehicle.wheel_radius_m,
                 "a wheel does not climb a step higher than its axle");
   check_at_most(results, "step_max_m", vehicle.step_max_m, "belly_clearance_m",
@@ -60,7 +61,8 @@ void check_wheels(const Vehicle& vehicle, CheckResults& results) {
                 "the belly would rest on a step that the wheels climb; state the step that the "
                 "whole vehicle passes");
   check_at_most(results, "sinkage_max_m", vehicle.sinkage_max_m, "belly_clearance_m",
-                vehicle.belly_clearance_m, "the belly would rest on the ground, and the wheels turn freely");
+                vehicle.belly_clearance_m,
+                "the belly would rest on the ground, and the wheels turn freely");
   check_at_most(results, "belly_clearance_m", vehicle.belly_clearance_m, "height_m",
                 vehicle.height_m, "the lowest point is above the highest one");
   check_at_most(results, "2 wheel_radius_m", 2.0 * vehicle.wheel_radius_m, "height_m",
@@ -94,11 +96,12 @@ void check_attitude(const Vehicle& vehicle, CheckResults& results) {
                "an angle beyond the vertical; degrees instead of radians?");
   const double arm = 0.5 * std::min(vehicle.track_m, vehicle.wheelbase_m);
   const double tips = std::atan(arm / (kCentreOfMassShare * vehicle.height_m));
-  add_relation(results, vehicle.tilt_max_rad <= tips, "vehicle",
-               fmt::format("tilt_max_rad = {} against tipping over at atan({:.2f} / {:.2f}) = {:.2f}",
-                           vehicle.tilt_max_rad, arm, kCentreOfMassShare * vehicle.height_m, tips),
-               "with the centre of mass at half its height the vehicle tips over before; measure "
-               "the angle, half of it is a good limit");
+  add_relation(
+      results, vehicle.tilt_max_rad <= tips, "vehicle",
+      fmt::format("tilt_max_rad = {} against tipping over at atan({:.2f} / {:.2f}) = {:.2f}",
+                  vehicle.tilt_max_rad, arm, kCentreOfMassShare * vehicle.height_m, tips),
+      "with the centre of mass at half its height the vehicle tips over before; measure "
+      "the angle, half of it is a good limit");
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ bool sees(const LaserMount& mount, const Vehicle& vehicle, const Eigen::Vector2d
 Eigen::Vector2d beside_body(const Vehicle& vehicle, double bearing_rad, double outside_m) {
   const Eigen::Vector2d direction(std::cos(bearing_rad), std::sin(bearing_rad));
   const Eigen::Vector2d half(0.5 * vehicle.length_m + outside_m, 0.5 * vehicle.width_m + outside_m);
-  const double scale = std::max(std::abs(direction.x()) / half.x(),
-                                std::abs(direction.y()) / half.y());
+  const double scale =
+      std::max(std::abs(direction.x()) / half.x(), std::abs(direction.y()) / half.y());
   return direction / scale;
 }
 

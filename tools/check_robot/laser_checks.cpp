@@ -14,11 +14,11 @@ namespace adit {
 namespace {
 
 constexpr double kRoundingM = 1e-6;
-constexpr double kOverhangM = 0.5;      // of a laser beyond the footprint; more is another unit
-constexpr double kLeverMaxM = 0.5;      // between the beams and the tilt axis
-constexpr double kApartM = 0.1;         // between two lasers
-constexpr double kSideM = 0.05;         // from the middle line, of a laser that is not on it
-constexpr double kStrayRad = 0.1;       // between both signs of an angle, from which the sign counts
+constexpr double kOverhangM = 0.5;  // of a laser beyond the footprint; more is another unit
+constexpr double kLeverMaxM = 0.5;  // between the beams and the tilt axis
+constexpr double kApartM = 0.1;     // between two lasers
+constexpr double kSideM = 0.05;     // from the middle line, of a laser that is not on it
+constexpr double kStrayRad = 0.1;   // between both signs of an angle, from which the sign counts
 constexpr double kRangeUsefulM = 3.0;
 
 double deg(double rad) { return rad * 180.0 / std::numbers::pi; }
@@ -33,12 +33,12 @@ void check_pose(const NamedLaser& laser, const Vehicle& vehicle, CheckResults& r
   const bool front = laser.name == "front";
   const double out_x = std::abs(pose.x) - 0.5 * vehicle.length_m;
   const double out_y = std::abs(pose.y) - 0.5 * vehicle.width_m;
-  add_relation(results, std::max(out_x, out_y) <= kOverhangM, "laser",
-               fmt::format("{} at ({}, {}) m, the footprint ends at {} and {}",
-                           key(laser, "T_body_laser"), pose.x, pose.y, 0.5 * vehicle.length_m,
-                           0.5 * vehicle.width_m),
-               "the laser would hang in the air. The origin is the middle of the vehicle, not its "
-               "rear axle, and lengths are in metres");
+  add_relation(
+      results, std::max(out_x, out_y) <= kOverhangM, "laser",
+      fmt::format("{} at ({}, {}) m, the footprint ends at {} and {}", key(laser, "T_body_laser"),
+                  pose.x, pose.y, 0.5 * vehicle.length_m, 0.5 * vehicle.width_m),
+      "the laser would hang in the air. The origin is the middle of the vehicle, not its "
+      "rear axle, and lengths are in metres");
   add_relation(results, std::abs(pose.theta) <= 2.0 * std::numbers::pi, "laser",
                fmt::format("{} = {} is {:.0f}°", key(laser, "T_body_laser.theta_rad"), pose.theta,
                            deg(pose.theta)),
@@ -76,33 +76,34 @@ void check_body_in_view(const NamedLaser& laser, const Vehicle& vehicle, CheckRe
                          key(laser, "height_m"), mount.height_m, vehicle.height_m)
            : fmt::format("{}: the middle beam leaves the body after {:.2f} m, range_min_m = {}",
                          key(laser, "T_body_laser"), inside_m, mount.range_min_m),
-      "the laser is inside the body and sees it as an obstacle. Measure x_m and y_m from the middle "
+      "the laser is inside the body and sees it as an obstacle. Measure x_m and y_m from the "
+      "middle "
       "of the vehicle; only a laser within 12 cm of vehicle.height_m looks over the body");
 }
 
 void check_ranges(const NamedLaser& laser, const RobotConfig& robot, CheckResults& results) {
   const LaserMount& mount = laser.mount;
   const Vehicle& vehicle = robot.vehicle;
-  add_relation(results, mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m,
-               "laser",
-               fmt::format("{} = {} between vehicle.step_max_m = {} and vehicle.height_m = {}",
-                           key(laser, "height_m"), mount.height_m, vehicle.step_max_m,
-                           vehicle.height_m),
-               "a level laser below a step or above the vehicle sees no obstacles. height_m is that "
-               "of the beams above the ground, in metres; vehicle.height_m includes the laser");
+  add_relation(
+      results, mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m, "laser",
+      fmt::format("{} = {} between vehicle.step_max_m = {} and vehicle.height_m = {}",
+                  key(laser, "height_m"), mount.height_m, vehicle.step_max_m, vehicle.height_m),
+      "a level laser below a step or above the vehicle sees no obstacles. height_m is that "
+      "of the beams above the ground, in metres; vehicle.height_m includes the laser");
   add_relation(results, mount.height_m > vehicle.wading_depth_max_m, "laser",
                fmt::format("{} = {} above vehicle.wading_depth_max_m = {}", key(laser, "height_m"),
                            mount.height_m, vehicle.wading_depth_max_m),
                "the laser would be under water");
-  const double blind_m = std::abs(mount.T_body_laser.x) + mount.range_min_m -
-                         0.5 * vehicle.length_m;
-  add_relation(results, blind_m <= robot.guard.obstacle.margin_m + kRoundingM, "laser",
-               fmt::format("{}: |x_m| + range_min_m - vehicle.length_m / 2 = {} + {} - {} = {:.3g} "
-                           "against guard.obstacle.margin_m = {}",
-                           laser.name, std::abs(mount.T_body_laser.x), mount.range_min_m,
-                           0.5 * vehicle.length_m, blind_m, robot.guard.obstacle.margin_m),
-               "what is that near before the vehicle is not seen; increase margin_m, or length_m if "
-               "the laser protrudes");
+  const double blind_m =
+      std::abs(mount.T_body_laser.x) + mount.range_min_m - 0.5 * vehicle.length_m;
+  add_relation(
+      results, blind_m <= robot.guard.obstacle.margin_m + kRoundingM, "laser",
+      fmt::format("{}: |x_m| + range_min_m - vehicle.length_m / 2 = {} + {} - {} = {:.3g} "
+                  "against guard.obstacle.margin_m = {}",
+                  laser.name, std::abs(mount.T_body_laser.x), mount.range_min_m,
+                  0.5 * vehicle.length_m, blind_m, robot.guard.obstacle.margin_m),
+      "what is that near before the vehicle is not seen; increase margin_m, or length_m if "
+      "the laser protrudes");
   add_relation(results, mount.range_min_m < mount.range_max_m && mount.range_max_m > kRangeUsefulM,
                "laser",
                fmt::format("{} = {} to {} m", key(laser, "range_min_m, range_max_m"),
@@ -110,11 +111,12 @@ void check_ranges(const NamedLaser& laser, const RobotConfig& robot, CheckResult
                "the scans would have no walls; ranges are in metres");
   if (robot.has_sim) {
     const double no_return_m = robot.sim.laser.no_return_m();
-    add_relation(results, mount.range_max_m < no_return_m, "laser",
-                 fmt::format("{} = {} below the reading for no return, sim.laser.reading_max unit_m "
-                             "= {:.4g}",
-                             key(laser, "range_max_m"), mount.range_max_m, no_return_m),
-                 "readings without a return would be walls");
+    add_relation(
+        results, mount.range_max_m < no_return_m, "laser",
+        fmt::format("{} = {} below the reading for no return, sim.laser.reading_max unit_m "
+                    "= {:.4g}",
+                    key(laser, "range_max_m"), mount.range_max_m, no_return_m),
+        "readings without a return would be walls");
   }
   add_relation(results,
                std::max(std::abs(mount.lever_x_m), std::abs(mount.lever_z_m)) <= kLeverMaxM,
@@ -151,10 +153,8 @@ void check_pair(const Lasers& lasers, CheckResults& results) {
   const Pose2& front = lasers.front.T_body_laser;
   const Pose2& rear = lasers.rear.T_body_laser;
   const double apart_m = (front.translation() - rear.translation()).norm();
-  if (apart_m < kApartM || rear == LaserMount{}.T_body_laser ||
-      (rear.x == 0.0 && rear.y == 0.0)) {
-    add_relation(results, false, "laser",
-                 fmt::format("lasers.rear at ({}, {})", rear.x, rear.y),
+  if (apart_m < kApartM || rear == LaserMount{}.T_body_laser || (rear.x == 0.0 && rear.y == 0.0)) {
+    add_relation(results, false, "laser", fmt::format("lasers.rear at ({}, {})", rear.x, rear.y),
                  "in the middle of the vehicle, its default. Describe it, or state lasers.count: 1 "
                  "if there is none");
     return;
@@ -180,10 +180,11 @@ void check_lasers(const RobotConfig& robot, CheckResults& results) {
     check_ranges(laser, robot, results);
     check_sweep(laser, robot, results);
   }
-  add_relation(results, robot.scan_matching.lasers_tilt, "sweep",
-               fmt::format("scan_matching.lasers_tilt: {}", robot.scan_matching.lasers_tilt),
-               "3D scans tilt the laser; without it the scans of a tilted laser count as level until "
-               "the first TILT message");
+  add_relation(
+      results, robot.scan_matching.lasers_tilt, "sweep",
+      fmt::format("scan_matching.lasers_tilt: {}", robot.scan_matching.lasers_tilt),
+      "3D scans tilt the laser; without it the scans of a tilted laser count as level until "
+      "the first TILT message");
 }
 
 }  // namespace adit

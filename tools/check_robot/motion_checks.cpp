@@ -62,15 +62,17 @@ void check_motion(const RobotConfig& robot, CheckResults& results) {
                 {"guard.obstacle.braking_m_s2", robot.guard.obstacle.braking_m_s2},
                 {"sim.motion.braking_m_s2", robot.sim.motion.braking_m_s2},
                 "the guard relies on more than the vehicle can");
-    check_order(results, "motion", {"driving.steering.rate_1_m_s", robot.driving.steering.rate_1_m_s},
+    check_order(results, "motion",
+                {"driving.steering.rate_1_m_s", robot.driving.steering.rate_1_m_s},
                 {"sim.motion.steering_rate_1_m_s", robot.sim.motion.steering_rate_1_m_s},
                 "the vehicle steers slower than it is commanded, and leaves its path");
   }
-  check_order(results, "motion",
-              {"planning.c_space.ground.slope_max_rad", robot.planning.c_space.ground.slope_max_rad},
-              {"vehicle.tilt_max_rad - guard.tilt_margin_rad",
-               robot.vehicle.tilt_max_rad - robot.guard.tilt_margin_rad},
-              "paths lead where the guard stops the robot; reduce slope_max_rad");
+  check_order(
+      results, "motion",
+      {"planning.c_space.ground.slope_max_rad", robot.planning.c_space.ground.slope_max_rad},
+      {"vehicle.tilt_max_rad - guard.tilt_margin_rad",
+       robot.vehicle.tilt_max_rad - robot.guard.tilt_margin_rad},
+      "paths lead where the guard stops the robot; reduce slope_max_rad");
   check_limits(robot, results);
 }
 

@@ -21,7 +21,8 @@ void construct(CheckResults& results, const char* stage, const std::function<voi
     make();
     results.push_back({Verdict::kGood, "stages", fmt::format("{} accepts its parameters", stage)});
   } catch (const std::exception& error) {
-    results.push_back({Verdict::kBad, "stages", fmt::format("{} rejects: {}", stage, error.what())});
+    results.push_back(
+        {Verdict::kBad, "stages", fmt::format("{} rejects: {}", stage, error.what())});
   }
 }
 

@@ -19,11 +19,11 @@
 namespace adit {
 namespace {
 
-constexpr double kWidth = 900.0;      // of the sheet [pixels]
-constexpr double kHeight = 620.0;     // of the plan
-constexpr double kTitle = 44.0;       // above the plan
-constexpr double kAroundM = 1.2;      // shown around the body, at least
-constexpr int kBlockPixels = 4;       // of an area that is seen or not
+constexpr double kWidth = 900.0;   // of the sheet [pixels]
+constexpr double kHeight = 620.0;  // of the plan
+constexpr double kTitle = 44.0;    // above the plan
+constexpr double kAroundM = 1.2;   // shown around the body, at least
+constexpr int kBlockPixels = 4;    // of an area that is seen or not
 constexpr Colour kBlind = rgb(0xc8324a, 0.35);
 constexpr Colour kSeen = rgb(0xd9efe0);
 constexpr Colour kBody = rgb(0xffffff);
@@ -40,7 +40,8 @@ struct Plan {
   [[nodiscard]] double u(double x) const { return left + 0.5 * kWidth + x * pixels_per_m; }
   [[nodiscard]] double v(double y) const { return top + 0.5 * kHeight - y * pixels_per_m; }
   [[nodiscard]] Eigen::Vector2d p_body(double u_px, double v_px) const {
-    return {(u_px - left - 0.5 * kWidth) / pixels_per_m, (top + 0.5 * kHeight - v_px) / pixels_per_m};
+    return {(u_px - left - 0.5 * kWidth) / pixels_per_m,
+            (top + 0.5 * kHeight - v_px) / pixels_per_m};
   }
 };
 
@@ -57,9 +58,8 @@ void draw_view(const Canvas& canvas, const Plan& plan, const RobotConfig& robot)
       const double u = plan.left + column * kBlockPixels;
       const double v = plan.top + row * kBlockPixels;
       const Eigen::Vector2d p = plan.p_body(u + 0.5 * kBlockPixels, v + 0.5 * kBlockPixels);
-      const bool seen = std::ranges::any_of(lasers, [&](const NamedLaser& laser) {
-        return sees(laser.mount, robot.vehicle, p);
-      });
+      const bool seen = std::ranges::any_of(
+          lasers, [&](const NamedLaser& laser) { return sees(laser.mount, robot.vehicle, p); });
       const bool near = distance_to_body_m(robot.vehicle, p) <= kBlindShownM;
       if (!seen && !near) continue;
       canvas.colour(seen ? kSeen : kBlind);

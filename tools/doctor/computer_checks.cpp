@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/doctor/computer_checks.hpp"
 
-#include <sys/timex.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -12,6 +9,8 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <sys/timex.h>
+#include <unistd.h>
 
 #include "common/bus/lcm_transport.hpp"
 #include "common/bus/node/stages.hpp"
@@ -27,10 +26,10 @@ namespace {
 using Verdict = CheckResult::Verdict;
 
 constexpr std::int64_t kReleasedUtime = 1'735'689'600'000'000;  // 2025-01-01
-constexpr double kDiskReserve = 4.0;     // of the speed; other processes write, too
-constexpr double kMissionHours = 8.0;    // for which the space of the disk should suffice
-constexpr double kLoadShareMax = 0.6;    // of a core; the rest is for transport and drivers
-constexpr int kBlocks = 64;              // of 1 MB each
+constexpr double kDiskReserve = 4.0;   // of the speed; other processes write, too
+constexpr double kMissionHours = 8.0;  // for which the space of the disk should suffice
+constexpr double kLoadShareMax = 0.6;  // of a core; the rest is for transport and drivers
+constexpr int kBlocks = 64;            // of 1 MB each
 constexpr double kUsPerS = 1e6;
 
 std::string contents(const std::filesystem::path& path) {
@@ -73,8 +72,8 @@ CheckResult check_route(const std::string& proc_net_route) {
 CheckResult check_buffers(std::int64_t rmem_max) {
   if (rmem_max < 0)
     return {Verdict::kUnknown, "buffers", "/proc/sys/net/core/rmem_max cannot be read"};
-  const std::string text = fmt::format("net.core.rmem_max = {}, needed {}", rmem_max,
-                                       kReceiveBufferBytes);
+  const std::string text =
+      fmt::format("net.core.rmem_max = {}, needed {}", rmem_max, kReceiveBufferBytes);
   if (rmem_max >= kReceiveBufferBytes) return {Verdict::kGood, "buffers", text};
   return {Verdict::kBad, "buffers",
           text + fmt::format(": large messages are lost; sudo sysctl -w net.core.rmem_max={}, "
@@ -106,25 +105,27 @@ CheckResult check_governors(const std::vector<std::string>& governors) {
     text += fmt::format("{}{} x {}", text.empty() ? "" : ", ", count, message_line(governor));
   if (!counts.contains("powersave")) return {Verdict::kGood, "governor", text};
   return {Verdict::kBad, "governor",
-          text + ": the processor may stay slow while stages wait for it; sudo cpupower "
-                 "frequency-set -g performance (with intel_pstate, powersave is right if the load "
-                 "below is)"};
+          text +
+              ": the processor may stay slow while stages wait for it; sudo cpupower "
+              "frequency-set -g performance (with intel_pstate, powersave is right if the load "
+              "below is)"};
 }
 
 CheckResult check_disk(const std::filesystem::path& folder, double write_mb_s, double free_mb,
                        double log_mb_s) {
   const double hours = free_mb / log_mb_s / 3600.0;
-  const std::string text = fmt::format(
-      "{}: {:.0f} MB/s, the log needs {:.2f}; {:.0f} MB free are {:.1f} h",
-      message_line(folder.string()), write_mb_s, log_mb_s, free_mb, hours);
+  const std::string text =
+      fmt::format("{}: {:.0f} MB/s, the log needs {:.2f}; {:.0f} MB free are {:.1f} h",
+                  message_line(folder.string()), write_mb_s, log_mb_s, free_mb, hours);
   if (write_mb_s < kDiskReserve * log_mb_s) {
     return {Verdict::kBad, "disk",
             text + ": too slow, journals would wait for it; record on another disk, or less often"};
   }
   if (hours < kMissionHours) {
     return {Verdict::kBad, "disk",
-            text + ": move earlier logs away; the recording deletes its oldest parts, and below 500 "
-                   "MB it stops"};
+            text +
+                ": move earlier logs away; the recording deletes its oldest parts, and below 500 "
+                "MB it stops"};
   }
   return {Verdict::kGood, "disk", text};
 }
@@ -139,26 +140,30 @@ CheckResult check_device(const std::string& driver, const std::string& device) {
   }
   if (access(device.c_str(), R_OK | W_OK) != 0) {
     return {Verdict::kBad, "device",
-            text + " may not be opened by this user: sudo usermod -aG dialout USER and log in "
-                   "again; the service runs as adit, which is in that group"};
+            text +
+                " may not be opened by this user: sudo usermod -aG dialout USER and log in "
+                "again; the service runs as adit, which is in that group"};
   }
   return {Verdict::kGood, "device", text + " may be opened"};
 }
 
 CheckResult check_load(const StageLoad& load, unsigned cores) {
   const std::string text = fmt::format(
-      "all stages at the sensors' rates: {:.2f} of one core on average, {:.2f} in the worst second, "
+      "all stages at the sensors' rates: {:.2f} of one core on average, {:.2f} in the worst "
+      "second, "
       "over {:.0f} s; {} cores",
       load.share, load.share_max, load.simulated_s, cores);
   if (load.share > kLoadShareMax * cores) {
     return {Verdict::kBad, "load",
-            text + ": too slow, stages would miss scans; a faster computer, two of them (deploy), or "
-                   "fewer scans per second"};
+            text +
+                ": too slow, stages would miss scans; a faster computer, two of them (deploy), or "
+                "fewer scans per second"};
   }
   if (load.share_max > cores) {
     return {Verdict::kBad, "load",
-            text + ": too slow at times, commands would expire after 0.25 s; a faster computer, or "
-                   "fewer beams"};
+            text +
+                ": too slow at times, commands would expire after 0.25 s; a faster computer, or "
+                "fewer beams"};
   }
   return {Verdict::kGood, "load", text};
 }

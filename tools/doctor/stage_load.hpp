@@ -14,9 +14,10 @@ struct StageLoad {
   double log_mb_s = 0.0;     ///< of all messages
 };
 
-/// Begins a mission in a simulated mine with the robot of `config` (empty: the defaults), all stages
-/// in this process, for `wall_s` of wall time after the robot began to move, and measures the time
-/// in the stages, not in the simulator. Journals are written to `folder`. Throws as run_mission().
+/// Begins a mission in a simulated mine with the robot of `config` (empty: the defaults), all
+/// stages in this process, for `wall_s` of wall time after the robot began to move, and measures
+/// the time in the stages, not in the simulator. Journals are written to `folder`. Throws as
+/// run_mission().
 StageLoad measure_stage_load(const std::filesystem::path& config,
                              const std::filesystem::path& folder, double wall_s);
 

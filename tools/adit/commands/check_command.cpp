@@ -61,8 +61,7 @@ void add_check_command(CLI::App& adit) {
   set_help(*command, {kCheckDetails, "  1  a relation does not hold", kCheckExamples});
   const auto options = std::make_shared<CheckOptions>();
   command->add_option("CONFIG", options->config, "YAML file of the robot")->required();
-  command->add_option("--picture", options->picture, "Draw the robot from above")
-      ->type_name("PNG");
+  command->add_option("--picture", options->picture, "Draw the robot from above")->type_name("PNG");
   command->callback([options] { run(*options); });
 }
 

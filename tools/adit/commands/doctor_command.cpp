@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +9,7 @@
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "common/command_line/command_line.hpp"
 #include "common/files/disk_space.hpp"
@@ -84,8 +83,8 @@ void run(const DoctorOptions& options) {
 void add_doctor_command(CLI::App& adit) {
   CLI::App* command =
       add_command(adit, "doctor", "Check the computer that is to run a robot, with remedies");
-  set_help(*command, {kDoctorDetails, "  1  something is not as the robot needs it",
-                      kDoctorExamples});
+  set_help(*command,
+           {kDoctorDetails, "  1  something is not as the robot needs it", kDoctorExamples});
   const auto options = std::make_shared<DoctorOptions>();
   command->add_option("--config", options->config, "YAML file of the robot")
       ->type_name("FILE")

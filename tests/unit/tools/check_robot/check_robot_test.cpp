@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/check_robot/robot_check.hpp"
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +16,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tools/check_robot/abilities.hpp"
 #include "tools/check_robot/field_of_view.hpp"
+#include "tools/check_robot/robot_check.hpp"
 #include "tools/check_robot/robot_picture.hpp"
 
 namespace adit {

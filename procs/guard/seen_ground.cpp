@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCellM = 0.1;
 constexpr double kReachM = 8.0;     // from the vehicle; farther cells are forgotten
+constexpr double kDrivenM = 60.0;   // path length, after which driven ground is forgotten
 constexpr double kRangeM = 5.0;     // of a beam that counts
 constexpr double kShortOfM = 0.05;  // before the obstacle that a beam hit
 constexpr double kJumpM = 0.5;      // maximum step between poses
@@ -39,7 +40,9 @@ SeenGround::SeenGround(const Vehicle& vehicle, const LaserMount& laser)
 
 void SeenGround::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
-    cells_.clear();
+    seen_.clear();
+    driven_.clear();
+    driven_in_order_.clear();
     T_odom_observed_.reset();
     T_odom_footprint_.reset();
   }
@@ -75,7 +78,8 @@ bool SeenGround::is_known(const Pose2& T_odom_body) const {
   const double x_m = std::max(0.0, 0.5 * vehicle_.length_m - kInsideM);
   const double y_m = std::max(0.0, 0.5 * vehicle_.width_m - kInsideM);
   const auto known = [&](double x, double y) {
-    return cells_.contains(cell_of(T_odom_body * Eigen::Vector2d(x, y)));
+    const std::int64_t cell = cell_of(T_odom_body * Eigen::Vector2d(x, y));
+    return seen_.contains(cell) || driven_.contains(cell);
   };
   const int along = static_cast<int>(std::ceil(2.0 * x_m / kSampleM));
   for (int i = 0; i <= along; ++i) {
@@ -91,6 +95,8 @@ bool SeenGround::is_known(const Pose2& T_odom_body) const {
 }
 
 void SeenGround::add_footprint() {
+  if (T_odom_footprint_)
+    odometer_m_ += between(*T_odom_footprint_, *T_odom_body_).translation().norm();
   T_odom_footprint_ = T_odom_body_;
   const int along = static_cast<int>(std::ceil(vehicle_.length_m / kSampleM));
   const int across = static_cast<int>(std::ceil(vehicle_.width_m / kSampleM));
@@ -98,8 +104,21 @@ void SeenGround::add_footprint() {
     for (int j = 0; j <= across; ++j) {
       const Eigen::Vector2d p_body(vehicle_.length_m * (static_cast<double>(i) / along - 0.5),
                                    vehicle_.width_m * (static_cast<double>(j) / across - 0.5));
-      cells_.insert(cell_of(*T_odom_body_ * p_body));
+      const std::int64_t cell = cell_of(*T_odom_body_ * p_body);
+      driven_[cell] = odometer_m_;
+      driven_in_order_.emplace_back(cell, odometer_m_);
     }
+  }
+  forget_old_cells();
+}
+
+/// A cell that was driven again since is in the order twice.
+void SeenGround::forget_old_cells() {
+  while (!driven_in_order_.empty() && driven_in_order_.front().second < odometer_m_ - kDrivenM) {
+    const auto& [cell, at_m] = driven_in_order_.front();
+    if (const auto found = driven_.find(cell); found != driven_.end() && found->second == at_m)
+      driven_.erase(found);
+    driven_in_order_.pop_front();
   }
 }
 
@@ -108,7 +127,7 @@ void SeenGround::add_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vecto
   const double range_m = line.norm();
   const double end_m = std::min(range_m - kShortOfM, kRangeM);
   for (double distance_m = 0.0; distance_m < end_m; distance_m += kSampleM) {
-    cells_.insert(cell_of(p_odom_from + distance_m / range_m * line));
+    seen_.insert(cell_of(p_odom_from + distance_m / range_m * line));
   }
 }
 
@@ -120,10 +139,10 @@ void SeenGround::forget_far_cells() {
   for (int i = -reach; i <= reach; ++i) {
     for (int j = -reach; j <= reach; ++j) {
       const std::int64_t cell = cell_of(p_odom_pruned_ + kCellM * Eigen::Vector2d(i, j));
-      if (cells_.contains(cell)) near.insert(cell);
+      if (seen_.contains(cell)) near.insert(cell);
     }
   }
-  cells_ = std::move(near);
+  seen_ = std::move(near);
 }
 
 }  // namespace adit

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -16,11 +19,10 @@
 
 namespace adit {
 
-/// The ground around a vehicle that is known to be free, for motions to a side on which it is
-/// blind: where the vehicle has been, and what lay between the laser and the obstacles that it saw.
-/// Cells of 0.1 m in odom, within 8 m of the vehicle. All is forgotten when the pose jumps. What
-/// comes there afterwards is not noticed: a vehicle with one laser needs its surroundings to
-/// itself.
+/// The ground that is known to be free, for motions to a side on which the vehicle is blind: where
+/// it has been over the last 60 m, and within 8 m what lay between the laser and the obstacles that
+/// it saw. Cells of 0.1 m in odom. All is forgotten when the pose jumps. What comes there
+/// afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
 class SeenGround {
  public:
   SeenGround(const Vehicle& vehicle, const LaserMount& laser);
@@ -38,6 +40,7 @@ class SeenGround {
   void add_footprint();
   void add_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vector2d& p_odom_to);
   void forget_far_cells();
+  void forget_old_cells();
   [[nodiscard]] bool is_known(const Pose2& T_odom_body) const;
 
   Vehicle vehicle_;
@@ -46,7 +49,11 @@ class SeenGround {
   std::optional<Pose2> T_odom_observed_;   ///< at the last scan that was added
   std::optional<Pose2> T_odom_footprint_;  ///< at the last footprint that was added
   Eigen::Vector2d p_odom_pruned_{0.0, 0.0};
-  std::unordered_set<std::int64_t> cells_;  ///< only looked up and erased: its order has no effect
+  // Only looked up and erased: their order has no effect.
+  std::unordered_set<std::int64_t> seen_;
+  std::unordered_map<std::int64_t, double> driven_;  ///< with the odometer when it was last driven
+  std::deque<std::pair<std::int64_t, double>> driven_in_order_;
+  double odometer_m_ = 0.0;
 };
 
 }  // namespace adit

@@ -271,8 +271,17 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
 std::optional<double> Mission::transit_length_m(double unscanned_m) const {
   const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
   if (target_.is_straight_ahead || recovery_.rejections() > 0 || !has_terrain) return std::nullopt;
+  if (must_turn_round()) return std::nullopt;
   return retracing_.transit_length_m(localization_.traversed_path(), target_.route_odom,
                                      unscanned_m, home_arrival_.is_end_of_route());
+}
+
+/// Back along the traversed path a robot without a rear laser would drive blind: it plans a path to
+/// turn round, and retraces only if there is none.
+bool Mission::must_turn_round() const {
+  const auto& T_odom_body = localization_.T_odom_body();
+  if (params_.lasers.has_rear() || !T_odom_body || target_.route_odom.empty()) return false;
+  return laser_facing(target_.route_odom, *T_odom_body, LaserId::kFront) == LaserId::kRear;
 }
 
 /// Along the x axis of the body; in the opposite direction after an odd number of failed tries.

@@ -143,6 +143,7 @@ class Mission {
   [[nodiscard]] std::optional<double> transit_length_m(double unscanned_m) const;
   void request_scan(LaserId laser, const std::string& reason);
   [[nodiscard]] LaserId other_laser() const;
+  [[nodiscard]] bool must_turn_round() const;
   void handle_arrival();
   void handle_failed_drive(const std::string& reason);
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "common/geometry/pose2.hpp"
 #include "procs/guard/obstacle_check.hpp"
 #include "tools/check_robot/field_of_view.hpp"
 
@@ -15,8 +15,6 @@ namespace adit {
 namespace {
 
 constexpr double kBesideM = 0.3;  // from the body, where blindness is stated
-
-double deg(double rad) { return rad * 180.0 / std::numbers::pi; }
 
 const char* side_of(double bearing_rad) {
   const double c = std::cos(bearing_rad);
@@ -31,7 +29,8 @@ std::string blind_text(const RobotConfig& robot) {
   std::string text;
   for (const BlindArc& arc : arcs) {
     text += fmt::format("blind     {}: {} m from the body, from {:.0f}° to {:.0f}° of its middle\n",
-                        side_of(arc.middle_rad()), kBesideM, deg(arc.from_rad), deg(arc.to_rad));
+                        side_of(arc.middle_rad()), kBesideM, rad_to_deg(arc.from_rad),
+                        rad_to_deg(arc.to_rad));
   }
   if (!robot.lasers.has_rear()) {
     text +=
@@ -81,7 +80,7 @@ std::string text_of_abilities(const RobotConfig& robot) {
   text += fmt::format(
       "passes    steps of {:.2f} m under the wheels, of {:.2f} m between them, slopes "
       "of {:.0f}°\n",
-      can.step_max_m, can.bump_max_m, deg(can.slope_max_rad));
+      can.step_max_m, can.bump_max_m, rad_to_deg(can.slope_max_rad));
   text += fmt::format(
       "turns     in a circle of {:.2f} m, at turning_radius_m = {} with a reserve of "
       "{:.0f} %; in less by moving forwards and backwards\n",
@@ -94,8 +93,8 @@ std::string text_of_abilities(const RobotConfig& robot) {
       robot.driving.speed.creep_m_s);
   for (const NamedLaser& laser : lasers_of(robot.lasers)) {
     text += fmt::format("sees      {}: {:.0f}° from {} to {} m, {} x the stopping distance\n",
-                        laser.name, deg(laser.mount.field_of_view_rad), laser.mount.range_min_m,
-                        laser.mount.range_max_m,
+                        laser.name, rad_to_deg(laser.mount.field_of_view_rad),
+                        laser.mount.range_min_m, laser.mount.range_max_m,
                         static_cast<int>(laser.mount.range_max_m / can.stopping_m));
   }
   return text + blind_text(robot);

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "common/geometry/pose2.hpp"
 #include "tools/check_robot/robot_check.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kRoundingM = 1e-6;           // of sums of lengths that are equal
 constexpr double kSteeringAngleMaxRad = 1.0;  // of a wheel; more than any steering linkage reaches
 constexpr double kDensityMin = 30.0;          // [kg/m³] of the box around a robot
 constexpr double kDensityMax = 3000.0;
@@ -83,7 +83,7 @@ void check_steering(const Vehicle& vehicle, CheckResults& results) {
   add_relation(results, angle <= kSteeringAngleMaxRad, "vehicle",
                fmt::format("turning_radius_m = {} and wheelbase_m = {} turn a {} wheel by {:.0f}°",
                            vehicle.turning_radius_m, vehicle.wheelbase_m, vehicle.steering,
-                           angle * 180.0 / std::numbers::pi),
+                           rad_to_deg(angle)),
                "no linkage turns a wheel by more than 57°. turning_radius_m is the radius, not the "
                "diameter, of the path of the body's middle; a vehicle that turns by its sides has "
                "steering: skid");
@@ -92,7 +92,7 @@ void check_steering(const Vehicle& vehicle, CheckResults& results) {
 void check_attitude(const Vehicle& vehicle, CheckResults& results) {
   add_relation(results, vehicle.tilt_max_rad < 0.5 * std::numbers::pi, "vehicle",
                fmt::format("tilt_max_rad = {} is {:.0f}°", vehicle.tilt_max_rad,
-                           vehicle.tilt_max_rad * 180.0 / std::numbers::pi),
+                           rad_to_deg(vehicle.tilt_max_rad)),
                "an angle beyond the vertical; degrees instead of radians?");
   const double arm = 0.5 * std::min(vehicle.track_m, vehicle.wheelbase_m);
   const double tips = std::atan(arm / (kCentreOfMassShare * vehicle.height_m));

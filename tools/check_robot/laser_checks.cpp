@@ -7,21 +7,19 @@
 
 #include <fmt/format.h>
 
+#include "common/geometry/pose2.hpp"
 #include "tools/check_robot/field_of_view.hpp"
 #include "tools/check_robot/robot_check.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kRoundingM = 1e-6;
 constexpr double kOverhangM = 0.5;  // of a laser beyond the footprint; more is another unit
 constexpr double kLeverMaxM = 0.5;  // between the beams and the tilt axis
 constexpr double kApartM = 0.1;     // between two lasers
 constexpr double kSideM = 0.05;     // from the middle line, of a laser that is not on it
 constexpr double kStrayRad = 0.1;   // between both signs of an angle, from which the sign counts
 constexpr double kRangeUsefulM = 3.0;
-
-double deg(double rad) { return rad * 180.0 / std::numbers::pi; }
 
 std::string key(const NamedLaser& laser, const char* name) {
   return fmt::format("lasers.{}.{}", laser.name, name);
@@ -41,7 +39,7 @@ void check_pose(const NamedLaser& laser, const Vehicle& vehicle, CheckResults& r
       "rear axle, and lengths are in metres");
   add_relation(results, std::abs(pose.theta) <= 2.0 * std::numbers::pi, "laser",
                fmt::format("{} = {} is {:.0f}°", key(laser, "T_body_laser.theta_rad"), pose.theta,
-                           deg(pose.theta)),
+                           rad_to_deg(pose.theta)),
                "more than a full turn; degrees instead of radians?");
   const double ahead = std::cos(pose.theta);
   add_relation(results, (front ? ahead : -ahead) > 0.3, "laser",

@@ -14,6 +14,8 @@ namespace adit {
 /// what to correct. Last, what the stages themselves reject.
 CheckResults check_robot(const RobotConfig& robot);
 
+inline constexpr double kRoundingM = 1e-6;  ///< of sums of lengths that are equal
+
 /// Adds a result: `arithmetic` in any case, and `remedy` if the relation does not hold.
 void add_relation(CheckResults& results, bool holds, std::string_view property,
                   const std::string& arithmetic, std::string_view remedy);

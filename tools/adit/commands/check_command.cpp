@@ -20,7 +20,7 @@
 namespace adit {
 namespace {
 
-constexpr int kExitBad = 1;
+constexpr int kExitRelation = 1;
 
 struct CheckOptions {
   std::filesystem::path config;
@@ -50,7 +50,7 @@ void run(const CheckOptions& options) {
     std::cout << fmt::format("wrote     {}\n", message_line(options.picture.string()));
   const bool bad =
       std::ranges::count(results, CheckResult::Verdict::kBad, &CheckResult::verdict) > 0;
-  if (bad) throw CLI::RuntimeError(kExitBad);
+  if (bad) throw CLI::RuntimeError(kExitRelation);
 }
 
 }  // namespace

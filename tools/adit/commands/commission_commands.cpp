@@ -33,7 +33,7 @@
 namespace adit {
 namespace {
 
-constexpr int kExitBad = 1;
+constexpr int kExitFailed = 1;
 
 /// Where the messages come from.
 struct SourceOptions {
@@ -96,7 +96,7 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
 
 void finish(const std::string& name, const CheckResults& results) {
   std::cout << text_of(name, results);
-  if (!all_are_good(results)) throw CLI::RuntimeError(kExitBad);
+  if (!all_are_good(results)) throw CLI::RuntimeError(kExitFailed);
 }
 
 // ---- adit check-stop

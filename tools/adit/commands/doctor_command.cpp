@@ -21,7 +21,7 @@
 namespace adit {
 namespace {
 
-constexpr int kExitBad = 1;
+constexpr int kExitComputer = 1;
 
 struct DoctorOptions {
   std::filesystem::path config;        ///< empty: defaults, and no devices
@@ -75,7 +75,7 @@ void run(const DoctorOptions& options) {
   results.push_back(
       check_disk(options.folder, disk_speed_mb_s(options.folder), free_mb, load.log_mb_s));
   std::cout << text_of("this computer", results);
-  if (!all_are_good(results)) throw CLI::RuntimeError(kExitBad);
+  if (!all_are_good(results)) throw CLI::RuntimeError(kExitComputer);
 }
 
 }  // namespace

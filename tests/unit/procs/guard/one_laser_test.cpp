@@ -106,6 +106,16 @@ TEST(SeenGround, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 3.0), 1.58, 0.15);  // a cell and a half
 }
 
+TEST(SeenGround, KnowsThePathOfTheLast60Metres) {
+  Vehicle vehicle;
+  SeenGround ground(vehicle, LaserMount{});
+  for (int i = 0; i <= 800; ++i) ground.move_to({0.1 * i, 0.0, 0.0});
+  EXPECT_EQ(ground.known_m({-0.3, 0.0}, 59.0), 59.0);
+  EXPECT_LT(ground.known_m({-0.3, 0.0}, 70.0), 61.0);
+  for (int i = 800; i >= 600; --i) ground.move_to({0.1 * i, 0.0, 0.0});
+  EXPECT_EQ(ground.known_m({0.3, 0.0}, 19.0), 19.0);  // driven twice
+}
+
 TEST(Guard, AcceptsABlindRangeThatEqualsTheMargin) {
   GuardParams params = groundhog_guard();
   params.vehicle.length_m = 0.9;

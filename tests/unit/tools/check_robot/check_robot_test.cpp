@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"turning_radius_m: 1.6", "turning_radius_m: 0.3"}},
                 "turning_radius_m = 0.3",
                 "linkage"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& mistake) { return mistake.param.name; });
 
 TEST(CheckRobot, FindsNothingInTheConfigurationsThatAreDelivered) {
   for (const char* name : {"groundhog.yaml", "robot.yaml", "skid_steered.yaml"}) {

@@ -27,6 +27,16 @@ void clip(double p, double direction, double half, double& from, double& to) {
   to = std::min(to, std::max(a, b));
 }
 
+/// Length of a ray of a length inside a box around the origin of the body, of half a size.
+double length_in_box_m(const LaserMount& mount, const Eigen::Vector2d& half, double bearing_rad,
+                       double length_m) {
+  double from = 0.0;
+  double to = length_m;
+  clip(mount.T_body_laser.x, std::cos(bearing_rad), half.x(), from, to);
+  clip(mount.T_body_laser.y, std::sin(bearing_rad), half.y(), from, to);
+  return std::max(0.0, to - from);
+}
+
 }  // namespace
 
 std::vector<NamedLaser> lasers_of(const Lasers& lasers) {
@@ -40,11 +50,8 @@ bool looks_over_body(const LaserMount& mount, const Vehicle& vehicle) {
 }
 
 double length_in_body_m(const LaserMount& mount, const Vehicle& vehicle, double bearing_rad) {
-  double from = 0.0;
-  double to = std::numeric_limits<double>::infinity();
-  clip(mount.T_body_laser.x, std::cos(bearing_rad), 0.5 * vehicle.length_m, from, to);
-  clip(mount.T_body_laser.y, std::sin(bearing_rad), 0.5 * vehicle.width_m, from, to);
-  return std::max(0.0, to - from);
+  return length_in_box_m(mount, {0.5 * vehicle.length_m, 0.5 * vehicle.width_m}, bearing_rad,
+                         std::numeric_limits<double>::infinity());
 }
 
 bool sees(const LaserMount& mount, const Vehicle& vehicle, const Eigen::Vector2d& p_body) {
@@ -53,8 +60,12 @@ bool sees(const LaserMount& mount, const Vehicle& vehicle, const Eigen::Vector2d
   if (range_m < mount.range_min_m || range_m > mount.range_max_m) return false;
   const double angle = std::atan2(p_laser.y(), p_laser.x());
   if (std::abs(angle) > 0.5 * mount.field_of_view_rad + 1e-9) return false;
-  return looks_over_body(mount, vehicle) ||
-         length_in_body_m(mount, vehicle, mount.T_body_laser.theta + angle) <= mount.range_min_m;
+  if (looks_over_body(mount, vehicle)) return true;
+  // The laser stands in the edge of the body, up to range_min_m deep.
+  const Eigen::Vector2d half = 0.5 * Eigen::Vector2d(vehicle.length_m, vehicle.width_m) -
+                               Eigen::Vector2d::Constant(mount.range_min_m);
+  return length_in_box_m(mount, half.cwiseMax(0.0), mount.T_body_laser.theta + angle, range_m) ==
+         0.0;
 }
 
 Eigen::Vector2d beside_body(const Vehicle& vehicle, double bearing_rad, double outside_m) {

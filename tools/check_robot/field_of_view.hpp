@@ -30,7 +30,8 @@ bool looks_over_body(const LaserMount& mount, const Vehicle& vehicle);
 double length_in_body_m(const LaserMount& mount, const Vehicle& vehicle, double bearing_rad);
 
 /// Whether the level laser sees a point (body frame): within its field of view and beyond
-/// range_min_m, and unless it looks over the body, not through more of it than range_min_m.
+/// range_min_m, and unless it looks over the body, not through more of it than the edge in which it
+/// stands, range_min_m wide.
 bool sees(const LaserMount& mount, const Vehicle& vehicle, const Eigen::Vector2d& p_body);
 
 /// A part of the outline on which no laser sees what is near it, from one bearing (body frame, from

@@ -3,7 +3,6 @@
 #include "tools/check_robot/robot_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -59,7 +59,7 @@ CheckResults MotionCheck::results() const {
         std::abs(moved.theta - amount_) <= kTurnRad, "yaw",
         fmt::format("POSE turned by {:.2f} rad, driven {:.2f} to the left", moved.theta, amount_),
         moved.theta < 0.0
-            ? "the wrong way: a laser is upside down or its beams are in the wrong order; adit "
+            ? "to the other side: a laser is upside down or its beams are in the wrong order; adit "
               "check-driver"
             : "theta_rad of a laser, its field_of_view_rad or timing are wrong; adit check "
               "CONFIG"));

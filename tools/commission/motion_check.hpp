@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "common/geometry/pose2.hpp"
 #include "tools/check_driver/check_result.hpp"

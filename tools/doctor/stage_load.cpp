@@ -94,7 +94,7 @@ StageLoad measure_stage_load(const std::filesystem::path& config,
   bool measuring = false;
   Clock::time_point measured_since = begin;
   constexpr double kStepS = 1e-6 * static_cast<double>(Simulation::kStepUs);
-  // A robot that does not get under way is measured all the same, from the middle of the time on.
+  // A robot that does not start to move is measured all the same, from the middle of the time on.
   while (!(measuring && seconds_since(measured_since) >= wall_s) &&
          seconds_since(begin) < 3.0 * wall_s) {
     run_stages([&] { bus.advance_to(sim.next_utime()); });

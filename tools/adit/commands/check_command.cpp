@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>

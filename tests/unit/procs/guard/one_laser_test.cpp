@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,10 +24,10 @@ GuardParams one_laser() {
 
 /// Drives by setting poses; the wheels follow.
 void drive(HealthyRobot& robot, double distance_m) {
-  constexpr double kStepM = 0.003;  // per cycle of 10 ms
+  constexpr double kCycleM = 0.003;  // per cycle of 10 ms
   robot.speed_m_s = distance_m > 0.0 ? 0.3 : -0.3;
-  for (int i = 0; i < std::lround(std::abs(distance_m) / kStepM); ++i) {
-    robot.T_odom_body.x += distance_m > 0.0 ? kStepM : -kStepM;
+  for (int i = 0; i < std::lround(std::abs(distance_m) / kCycleM); ++i) {
+    robot.T_odom_body.x += distance_m > 0.0 ? kCycleM : -kCycleM;
     robot.run(0.01);
   }
 }

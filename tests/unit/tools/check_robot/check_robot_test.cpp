@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"SignOfAMountingAngle",
                 kSkid,
-                {{"x_m: 0.35, y_m: 0, theta_rad: 0", "x_m: 0.35, y_m: 0.25, theta_rad: -0.6"}},
+                {{"x_m: 0.35, y_m: 0, theta_rad: 0", "x_m: 0.35, y_m: 0.25, theta_rad: -1.2"}},
                 "lasers.front.T_body_laser",
                 "sign of theta_rad"},
         Mistake{"LaserInsideTheBody",

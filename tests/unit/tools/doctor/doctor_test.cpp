@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <filesystem>
 #include <fstream>
 #include <string>
 

@@ -11,11 +11,11 @@
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
+#include "procs/guard/blind_side_memory.hpp"
 #include "procs/guard/flank_memory.hpp"
 #include "procs/guard/guard_params.hpp"
 #include "procs/guard/laser_monitor.hpp"
 #include "procs/guard/obstacle_check.hpp"
-#include "procs/guard/seen_ground.hpp"
 
 namespace adit {
 
@@ -53,7 +53,7 @@ class Surroundings {
   LaserMonitor front_;
   LaserMonitor rear_;
   FlankMemory flank_memory_;
-  std::optional<SeenGround> seen_ground_;  ///< without a rear laser
+  std::optional<BlindSideMemory> blind_side_memory_;  ///< without a rear laser
 };
 
 }  // namespace adit

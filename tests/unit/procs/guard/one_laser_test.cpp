@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "procs/guard/seen_ground.hpp"
+#include "procs/guard/blind_side_memory.hpp"
 #include "tests/unit/procs/guard/healthy_robot.hpp"
 
 namespace adit {
@@ -85,12 +85,12 @@ TEST(GuardWithOneLaser, ForgetsWhatItSawWhenThePoseJumps) {
   EXPECT_THAT(robot.order.reason, HasSubstr("blind behind"));
 }
 
-TEST(SeenGround, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
+TEST(BlindSideMemory, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   Vehicle vehicle;
   vehicle.length_m = 0.8;
   vehicle.width_m = 0.6;
   LaserMount laser;
-  SeenGround ground(vehicle, laser);
+  BlindSideMemory ground(vehicle, laser);
   EXPECT_EQ(ground.known_m({-0.3, 0.0}, 0.2), 0.0);
   ground.move_to({});
   // Beams all around that end 2 m away: known up to there for the body's rear edge.
@@ -105,9 +105,9 @@ TEST(SeenGround, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 3.0), 1.58, 0.15);  // a cell and a half
 }
 
-TEST(SeenGround, KnowsThePathOfTheLast60Metres) {
+TEST(BlindSideMemory, KnowsThePathOfTheLast60Metres) {
   Vehicle vehicle;
-  SeenGround ground(vehicle, LaserMount{});
+  BlindSideMemory ground(vehicle, LaserMount{});
   for (int i = 0; i <= 800; ++i) ground.move_to({0.1 * i, 0.0, 0.0});
   EXPECT_EQ(ground.known_m({-0.3, 0.0}, 59.0), 59.0);
   EXPECT_LT(ground.known_m({-0.3, 0.0}, 70.0), 61.0);

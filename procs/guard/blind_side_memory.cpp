@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/guard/seen_ground.hpp"
+#include "procs/guard/blind_side_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +35,10 @@ bool has_moved(const std::optional<Pose2>& from, const Pose2& to) {
 
 }  // namespace
 
-SeenGround::SeenGround(const Vehicle& vehicle, const LaserMount& laser)
+BlindSideMemory::BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser)
     : vehicle_(vehicle), laser_(laser) {}
 
-void SeenGround::move_to(const Pose2& T_odom_body) {
+void BlindSideMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
     seen_.clear();
     driven_.clear();
@@ -51,7 +51,7 @@ void SeenGround::move_to(const Pose2& T_odom_body) {
   if ((T_odom_body.translation() - p_odom_pruned_).norm() > 1.0) forget_far_cells();
 }
 
-void SeenGround::observe(const LaserPoints& points) {
+void BlindSideMemory::observe(const LaserPoints& points) {
   if (!T_odom_body_ || !has_moved(T_odom_observed_, *T_odom_body_)) return;
   T_odom_observed_ = T_odom_body_;
   const Eigen::Vector2d p_odom_laser = *T_odom_body_ * laser_.T_body_laser.translation();
@@ -60,7 +60,7 @@ void SeenGround::observe(const LaserPoints& points) {
   }
 }
 
-double SeenGround::known_m(const ArcMotion& motion, double within_m) const {
+double BlindSideMemory::known_m(const ArcMotion& motion, double within_m) const {
   if (!T_odom_body_) return 0.0;
   const double sign = direction_of(motion);
   double known = 0.0;
@@ -74,7 +74,7 @@ double SeenGround::known_m(const ArcMotion& motion, double within_m) const {
 }
 
 /// Whether all of the outline is known: what is inside has been passed by the outline before.
-bool SeenGround::is_known(const Pose2& T_odom_body) const {
+bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
   const double x_m = std::max(0.0, 0.5 * vehicle_.length_m - kInsideM);
   const double y_m = std::max(0.0, 0.5 * vehicle_.width_m - kInsideM);
   const auto known = [&](double x, double y) {
@@ -94,7 +94,7 @@ bool SeenGround::is_known(const Pose2& T_odom_body) const {
   return true;
 }
 
-void SeenGround::add_footprint() {
+void BlindSideMemory::add_footprint() {
   if (T_odom_footprint_)
     odometer_m_ += between(*T_odom_footprint_, *T_odom_body_).translation().norm();
   T_odom_footprint_ = T_odom_body_;
@@ -113,7 +113,7 @@ void SeenGround::add_footprint() {
 }
 
 /// A cell that was driven again since is in the order twice.
-void SeenGround::forget_old_cells() {
+void BlindSideMemory::forget_old_cells() {
   while (!driven_in_order_.empty() && driven_in_order_.front().second < odometer_m_ - kDrivenM) {
     const auto& [cell, at_m] = driven_in_order_.front();
     if (const auto found = driven_.find(cell); found != driven_.end() && found->second == at_m)
@@ -122,7 +122,8 @@ void SeenGround::forget_old_cells() {
   }
 }
 
-void SeenGround::add_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vector2d& p_odom_to) {
+void BlindSideMemory::add_line(const Eigen::Vector2d& p_odom_from,
+                               const Eigen::Vector2d& p_odom_to) {
   const Eigen::Vector2d line = p_odom_to - p_odom_from;
   const double range_m = line.norm();
   const double end_m = std::min(range_m - kShortOfM, kRangeM);
@@ -132,7 +133,7 @@ void SeenGround::add_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vecto
 }
 
 /// Cells are erased by their place, which the key does not hold: what is near is added again.
-void SeenGround::forget_far_cells() {
+void BlindSideMemory::forget_far_cells() {
   p_odom_pruned_ = T_odom_body_->translation();
   const auto reach = static_cast<int>(kReachM / kCellM);
   std::unordered_set<std::int64_t> near;

@@ -23,9 +23,9 @@ namespace adit {
 /// it has been over the last 60 m, and within 8 m what lay between the laser and the obstacles that
 /// it saw. Cells of 0.1 m in odom. All is forgotten when the pose jumps. What comes there
 /// afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
-class SeenGround {
+class BlindSideMemory {
  public:
-  SeenGround(const Vehicle& vehicle, const LaserMount& laser);
+  BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser);
 
   void move_to(const Pose2& T_odom_body);
   /// Adds a scan; ignored before the first pose, and until the vehicle has moved 5 cm or 3° since

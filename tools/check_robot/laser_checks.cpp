@@ -96,7 +96,7 @@ void check_ranges(const NamedLaser& laser, const RobotConfig& robot, CheckResult
       std::abs(mount.T_body_laser.x) + mount.range_min_m - 0.5 * vehicle.length_m;
   add_relation(
       results, blind_m <= robot.guard.obstacle.margin_m + kRoundingM, "laser",
-      fmt::format("{}: |x_m| + range_min_m - vehicle.length_m / 2 = {} + {} - {} = {:.3g} "
+      fmt::format("{}: |x_m| + range_min_m - vehicle.length_m / 2 = {} + {} - {} = {:.3f} "
                   "against guard.obstacle.margin_m = {}",
                   laser.name, std::abs(mount.T_body_laser.x), mount.range_min_m,
                   0.5 * vehicle.length_m, blind_m, robot.guard.obstacle.margin_m),

@@ -57,7 +57,7 @@ TEST(Simulation, ARobotWithOneLaserHasNoReadingsOfARearOne) {
   params.lasers.front.timing = {.mirror_hz = 40.0, .mirror_turns = 1};
   params.laser.beams = 1081;
   const auto readings = run(site, params, 2.0);
-  EXPECT_EQ(scans_of(readings, SimLaser::kFront).size(), 79U);  // the last beam comes 18.75 ms late
+  EXPECT_EQ(scans_of(readings, SimLaser::kFront).size(), 80U);  // the last one ends at 1.99 s
   EXPECT_EQ(scans_of(readings, SimLaser::kFront).front().ranges_m.size(), 1081U);
   EXPECT_THAT(scans_of(readings, SimLaser::kRear), testing::IsEmpty());
   EXPECT_EQ(only<LaserTiltReading>(readings).size(), 100U);

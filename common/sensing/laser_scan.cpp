@@ -12,6 +12,7 @@ constexpr double kTwoTurnsBelow = 0.75 * std::numbers::pi / 180.0;
 }  // namespace
 
 int ScanTiming::turns(double angle_step_rad) const {
+  if (mirror_turns > 0) return mirror_turns;
   return angle_step_rad < kTwoTurnsBelow ? 2 : 1;
 }
 

@@ -30,16 +30,19 @@ struct LaserScan {
 
 /// Time at which each beam of a scan is measured. A SICK LMS-200 turns its mirror at 75 Hz and
 /// measures one beam per degree. A scan at half a degree takes two turns: the even beams in the
-/// first, the odd beams in the second.
+/// first, the odd beams in the second. A Hokuyo UTM-30LX measures all beams in one turn at 40 Hz.
 struct ScanTiming {
   double mirror_hz = 75.0;
+  /// Mirror turns per scan, of which each measures every n-th beam. 0: those of a SICK LMS-200.
+  int mirror_turns = 0;
 
   template <class V>
   void visit(V& v) {
     v("mirror_hz", mirror_hz, above(0.0));
+    v("turns", mirror_turns, within(0, 8));
   }
 
-  /// Mirror turns per scan: 2 where beams are less than 0.75° apart.
+  /// Mirror turns per scan: as configured, or 2 where beams are less than 0.75° apart.
   [[nodiscard]] int turns(double angle_step_rad) const;
   /// Time from the first beam of a scan to the first beam of the next [s].
   [[nodiscard]] double scan_period_s(double angle_step_rad) const;

@@ -22,7 +22,7 @@ struct Vehicle {
   double track_m = 0.95;           ///< wheel centre to wheel centre
   double wheel_radius_m = 0.3;
   double wheel_width_m = 0.25;
-  std::string steering = "four_wheel";  ///< or "ackermann": the front wheels only
+  std::string steering = "four_wheel";  ///< or "ackermann": the front wheels only; or "skid"
   double turning_radius_m = 1.6;        ///< minimum radius of the path of the body's origin
   double speed_max_m_s = 0.5;           ///< forward and in reverse
   double step_max_m = 0.2;              ///< highest step that a wheel can climb
@@ -41,7 +41,7 @@ struct Vehicle {
     v("track_m", track_m, above(0.0));
     v("wheel_radius_m", wheel_radius_m, above(0.0));
     v("wheel_width_m", wheel_width_m, above(0.0));
-    v("steering", steering, OneOf({"four_wheel", "ackermann"}));
+    v("steering", steering, OneOf({"four_wheel", "ackermann", "skid"}));
     v("turning_radius_m", turning_radius_m, above(0.0));
     v("speed_max_m_s", speed_max_m_s, above(0.0));
     v("step_max_m", step_max_m, above(0.0));

@@ -15,6 +15,7 @@ constexpr double kBesideM = 1.0;     // maximum distance from the flank
 constexpr double kViewEdgeM = 0.15;  // ahead of a laser; more than the vehicle drives between scans
 constexpr double kNeighboursM = 0.1;  // maximum distance; a single beam does not count
 constexpr double kJumpM = 0.5;        // maximum step between poses
+constexpr double kBehindM = 3.0;      // behind a vehicle that is blind there
 constexpr double kSurfaceM = 0.03;    // between points of neighbouring beams on one surface
 
 bool are_neighbours(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -46,7 +47,9 @@ Eigen::Isometry2d in_plane(const Pose2& T_a_b) {
 FlankMemory::FlankMemory(const Vehicle& vehicle, const Lasers& lasers)
     : half_footprint_m_(0.5 * vehicle.length_m, 0.5 * vehicle.width_m),
       front_x_m_(lasers.front.T_body_laser.x),
-      rear_x_m_(lasers.rear.T_body_laser.x) {}
+      rear_x_m_(lasers.has_rear() ? lasers.rear.T_body_laser.x
+                                  : -0.5 * vehicle.length_m - kBehindM),
+      has_rear_(lasers.has_rear()) {}
 
 void FlankMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
@@ -73,7 +76,8 @@ void FlankMemory::observe(LaserId laser, const LaserPoints& points) {
 }
 
 bool FlankMemory::is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const {
-  return laser == LaserId::kFront ? p_body.x() >= front_x_m_ : p_body.x() <= rear_x_m_;
+  if (laser == LaserId::kRear) return has_rear_ && p_body.x() <= rear_x_m_;
+  return p_body.x() >= front_x_m_;
 }
 
 bool FlankMemory::is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const {

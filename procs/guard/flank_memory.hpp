@@ -22,7 +22,8 @@ namespace adit {
 /// hit the post in a turn. The last points that a laser has seen there are therefore stored in
 /// odom, up to a metre from either flank, one point for each cell of 4 cm, where possible the mean
 /// of three beams: of errors of 5 mm 3 mm remain. They are deleted when they come into view again,
-/// where the footprint has been, and when the pose jumps.
+/// where the footprint has been, and when the pose jumps. Without a rear laser they are kept up to
+/// 3 m behind the vehicle.
 class FlankMemory {
  public:
   FlankMemory(const Vehicle& vehicle, const Lasers& lasers);
@@ -47,6 +48,7 @@ class FlankMemory {
   Eigen::Vector2d half_footprint_m_;
   double front_x_m_;
   double rear_x_m_;
+  bool has_rear_;
   std::optional<Pose2> T_odom_body_;
   std::map<Cell, Eigen::Vector2d> p_odom_;
   std::vector<Eigen::Vector2d> p_body_;

@@ -7,12 +7,15 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "procs/guard/limit_checks.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kStoppedM_S = 0.01;  // measured speed below which the vehicle stands
+constexpr double kRoundingM = 1e-6;   // of sums of lengths that are equal
 
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
@@ -24,22 +27,26 @@ void check_laser(const std::string& laser, const LaserMount& mount, const GuardP
   const Vehicle& vehicle = params.vehicle;
   if (!(mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m)) {
     throw std::invalid_argument(
-        "lasers: " + laser +
-        ".height_m must be between vehicle.step_max_m and vehicle.height_m, "
-        "or the guard sees no obstacles");
+        fmt::format("lasers: {}.height_m ({}) must be between vehicle.step_max_m ({}) and "
+                    "vehicle.height_m ({}), or the guard sees no obstacles",
+                    laser, mount.height_m, vehicle.step_max_m, vehicle.height_m));
   }
   const double range_end_m = std::abs(mount.T_body_laser.x) + mount.range_min_m;
-  if (range_end_m - 0.5 * vehicle.length_m > params.obstacle.margin_m) {
-    throw std::invalid_argument(
-        "guard: obstacle.margin_m must be at least the blind range of lasers." + laser +
-        " ahead of the vehicle");
+  const double blind_m = range_end_m - 0.5 * vehicle.length_m;
+  if (blind_m > params.obstacle.margin_m + kRoundingM) {
+    throw std::invalid_argument(fmt::format(
+        "guard: obstacle.margin_m ({:.3f}) must be at least the blind range of lasers.{} ahead of "
+        "the vehicle, |x_m| + range_min_m - vehicle.length_m / 2 = {:.3f} + {:.3f} - {:.3f} = "
+        "{:.3f} m",
+        params.obstacle.margin_m, laser, std::abs(mount.T_body_laser.x), mount.range_min_m,
+        0.5 * vehicle.length_m, blind_m));
   }
 }
 
 /// Returns the parameters if the guard can work with them.
 GuardParams validated(const GuardParams& params) {
   check_laser("front", params.lasers.front, params);
-  check_laser("rear", params.lasers.rear, params);
+  if (params.lasers.has_rear()) check_laser("rear", params.lasers.rear, params);
   if (!(params.tilt_margin_rad < params.vehicle.tilt_max_rad)) {
     throw std::invalid_argument("guard: tilt_margin_rad must be less than vehicle.tilt_max_rad");
   }

@@ -37,6 +37,7 @@ struct StopReason {
 /// data, POSE and the commands to the vehicle. It orders a stop for
 /// - an obstacle within the stopping distance on the commanded arc or on the measured one;
 /// - stale data: the laser in the direction of motion, pose, commands;
+/// - in reverse without a rear laser: ground that neither was seen nor carried the vehicle;
 /// - roll, pitch, sinkage and air beyond their limits; a retreat is permitted;
 /// - a supervisor whose heartbeat has timed out;
 /// - a stop that somebody else on the network orders.

@@ -28,7 +28,14 @@ Surroundings::Surroundings(const GuardParams& params)
       timeout_s_(params.timeout_s),
       front_("laser front", params.lasers.front),
       rear_("laser rear", params.lasers.rear),
-      flank_memory_(params.vehicle, params.lasers) {}
+      flank_memory_(params.vehicle, params.lasers) {
+  if (!params.lasers.has_rear()) blind_side_memory_.emplace(params.vehicle, params.lasers.front);
+}
+
+void Surroundings::move_to(const Pose2& T_odom_body) {
+  flank_memory_.move_to(T_odom_body);
+  if (blind_side_memory_) blind_side_memory_->move_to(T_odom_body);
+}
 
 void Surroundings::receive(LaserId laser, const TiltReading& reading, std::int64_t at_us) {
   monitor_of(laser).receive(reading, at_us);
@@ -36,8 +43,10 @@ void Surroundings::receive(LaserId laser, const TiltReading& reading, std::int64
 
 void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
                            const Eigen::Vector3d& up_body) {
-  if (monitor_of(laser).receive(scan, at_us, up_body, vehicle_))
-    flank_memory_.observe(laser, monitor_of(laser).points());
+  if (blind_side_memory_ && laser == LaserId::kRear) return;
+  if (!monitor_of(laser).receive(scan, at_us, up_body, vehicle_)) return;
+  flank_memory_.observe(laser, monitor_of(laser).points());
+  if (blind_side_memory_) blind_side_memory_->observe(monitor_of(laser).points());
 }
 
 std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, const char* arc,
@@ -72,7 +81,16 @@ std::optional<std::string> Surroundings::laser_fault_on(const ArcMotion& motion,
                                                         std::int64_t now_us) const {
   const int direction = direction_of(motion);
   if (direction == 0) return std::nullopt;
-  return (direction > 0 ? front_ : rear_).fault(now_us, timeout_s_);
+  if (direction > 0 || blind_side_memory_) {
+    auto fault = front_.fault(now_us, timeout_s_);
+    if (fault || direction > 0) return fault;
+    const double within_m = stopping_distance_m(obstacle_, motion.speed_m_s, 0.0);
+    const double known_m = blind_side_memory_->known_m(motion, within_m);
+    if (known_m >= within_m) return std::nullopt;
+    return fmt::format("blind behind: ground known for {:.2f} m, stopping distance {:.2f} m",
+                       known_m, within_m);
+  }
+  return rear_.fault(now_us, timeout_s_);
 }
 
 }  // namespace adit

@@ -11,6 +11,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
+#include "procs/guard/blind_side_memory.hpp"
 #include "procs/guard/flank_memory.hpp"
 #include "procs/guard/guard_params.hpp"
 #include "procs/guard/laser_monitor.hpp"
@@ -27,7 +28,7 @@ class Surroundings {
   void receive(LaserId laser, const TiltReading& reading, std::int64_t at_us);
   void receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
                const Eigen::Vector3d& up_body);
-  void move_to(const Pose2& T_odom_body) { flank_memory_.move_to(T_odom_body); }
+  void move_to(const Pose2& T_odom_body);
 
   /// The obstacle within the stopping distance, as text; nothing without one or at zero speed.
   /// `arc` names the motion in that text. `for_release`: within the stopping distance and the
@@ -35,7 +36,9 @@ class Surroundings {
   [[nodiscard]] std::optional<std::string> obstacle_on(const ArcMotion& motion, const char* arc,
                                                        bool for_release, std::int64_t now_us) const;
 
-  /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed.
+  /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed. In
+  /// reverse without a rear laser: the fault of the front one, or ground that is not known to be
+  /// free within the stopping distance.
   [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,
                                                           std::int64_t now_us) const;
 
@@ -50,6 +53,7 @@ class Surroundings {
   LaserMonitor front_;
   LaserMonitor rear_;
   FlankMemory flank_memory_;
+  std::optional<BlindSideMemory> blind_side_memory_;  ///< without a rear laser
 };
 
 }  // namespace adit

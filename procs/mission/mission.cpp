@@ -166,7 +166,7 @@ std::optional<ScanRequest> Mission::scan() {
       end(MissionOutcome::kStranded, "no 3D scan arrives");
       return std::nullopt;
     }
-    request_scan(scan_tries_ % 2 == 0 ? other(phase_.laser) : phase_.laser,
+    request_scan(scan_tries_ % 2 == 0 ? other_laser() : phase_.laser,
                  "no 3D scan arrived: scanning again");
     return std::nullopt;
   }
@@ -251,8 +251,9 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
   target_.route_odom = std::move(route_odom);
   scan_tries_ = 0;
   const auto& T_odom_body = localization_.T_odom_body();
-  const LaserId laser =
-      T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser;
+  const LaserId laser = T_odom_body && params_.lasers.has_rear()
+                            ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser)
+                            : phase_.laser;
   const double unscanned_m =
       localization_.traversed_path().distance_travelled_m() - inputs_.terrain_distance_m;
   target_.lies_back = transit_length_m(0.0).has_value();
@@ -270,8 +271,17 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
 std::optional<double> Mission::transit_length_m(double unscanned_m) const {
   const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
   if (target_.is_straight_ahead || recovery_.rejections() > 0 || !has_terrain) return std::nullopt;
+  if (must_turn_round()) return std::nullopt;
   return retracing_.transit_length_m(localization_.traversed_path(), target_.route_odom,
                                      unscanned_m, home_arrival_.is_end_of_route());
+}
+
+/// Back along the traversed path a robot without a rear laser would drive blind: it plans a path to
+/// turn round, and retraces only if there is none.
+bool Mission::must_turn_round() const {
+  const auto& T_odom_body = localization_.T_odom_body();
+  if (params_.lasers.has_rear() || !T_odom_body || target_.route_odom.empty()) return false;
+  return laser_facing(target_.route_odom, *T_odom_body, LaserId::kFront) == LaserId::kRear;
 }
 
 /// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
@@ -284,6 +294,11 @@ void Mission::scan_straight_ahead(const std::string& reason) {
   recovery_.set_target(std::nullopt, phase_.returning_home);
   const double ahead_m = failed_tries_ % 2 == 1 ? -kScanAheadM : kScanAheadM;
   scan_along({T_odom_body.translation(), T_odom_body * Eigen::Vector2d(ahead_m, 0.0)}, reason);
+}
+
+/// A robot with one laser scans with it again.
+LaserId Mission::other_laser() const {
+  return params_.lasers.has_rear() ? other(phase_.laser) : LaserId::kFront;
 }
 
 void Mission::request_scan(LaserId laser, const std::string& reason) {

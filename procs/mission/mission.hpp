@@ -11,6 +11,7 @@
 
 #include "common/config/bounds.hpp"
 #include "common/pose_graph/map_correction.hpp"
+#include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_tilt.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/driving_state.hpp"
@@ -29,6 +30,7 @@
 namespace adit {
 
 struct MissionParams {
+  Lasers lasers;
   MissionLimitsParams limits;
   std::string start = "immediately";      ///< or "on_order": a person starts the mission
   std::string after_power_loss = "home";  ///< or "resume"
@@ -42,6 +44,7 @@ struct MissionParams {
 
   template <class V>
   void visit(V& v) {
+    v.shared(Lasers::kSection, lasers);
     v("limits", limits);
     v("start", start, OneOf({"immediately", "on_order"}));
     v("after_power_loss", after_power_loss, OneOf({"home", "resume"}));
@@ -139,6 +142,8 @@ class Mission {
   void scan_straight_ahead(const std::string& reason);
   [[nodiscard]] std::optional<double> transit_length_m(double unscanned_m) const;
   void request_scan(LaserId laser, const std::string& reason);
+  [[nodiscard]] LaserId other_laser() const;
+  [[nodiscard]] bool must_turn_round() const;
   void handle_arrival();
   void handle_failed_drive(const std::string& reason);
 

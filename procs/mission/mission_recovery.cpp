@@ -57,7 +57,7 @@ void Mission::recover(const Recovery::Rejection& rejection) {
       return begin(Approach{rejection.reached_m - kApproachMarginM},
                    "driving nearer to scan from there: " + reason);
     case Action::kScanOtherLaser:
-      return request_scan(other(phase_.laser), "scanning with the other laser: " + reason);
+      return request_scan(other_laser(), "scanning with the other laser: " + reason);
     case Action::kBackOff:
       return back_off(recovery_.back_offs() * params_.back_off_m, reason);
     case Action::kRejoin:
@@ -148,7 +148,7 @@ void Mission::retry_near_home(const std::string& reason) {
   if (home_arrival_.count_try()) {
     end_near_home(reason);
   } else {
-    request_scan(other(phase_.laser), "close to home, scanning with the other laser: " + reason);
+    request_scan(other_laser(), "close to home, scanning with the other laser: " + reason);
   }
 }
 

@@ -72,7 +72,8 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
   const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
                         terrain, params_.goals, ground_->layers.body_distance_m);
-  is_goal_behind_ = is_behind(goals, T_level_body);
+  // Without a rear laser the robot turns round: it is blind behind.
+  is_goal_behind_ = params_.lasers.has_rear() && is_behind(goals, T_level_body);
   const LatticePose start = nearest_pose(terrain, kernels_->headings(), T_level_body);
   clear_blocked_start(start);
   const LatticePath found = search(start, goals, terrain.cell_m);  // section 3.3

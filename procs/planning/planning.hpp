@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/sensing/laser_mount.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
@@ -21,6 +22,7 @@
 namespace adit {
 
 struct PlanningParams {
+  Lasers lasers;
   Vehicle vehicle;
   CSpaceParams c_space;
   PrimitiveParams primitives;
@@ -31,6 +33,7 @@ struct PlanningParams {
 
   template <class V>
   void visit(V& v) {
+    v.shared(Lasers::kSection, lasers);
     v.shared(Vehicle::kSection, vehicle);
     v("c_space", c_space);
     v("primitives", primitives);

@@ -148,9 +148,7 @@ void ScanAssembly::start_lines() {
   if (!measured) problem_ = "no IMU readings at rest: levelled by the attitude of the pose";
 }
 
-const LaserMount& ScanAssembly::mount() const {
-  return request_.laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
-}
+const LaserMount& ScanAssembly::mount() const { return params_.lasers.of(request_.laser); }
 
 std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   if (scans_.empty()) return std::nullopt;
@@ -161,11 +159,11 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
   cloud.z_odom_m = z_odom_m_.at(cloud.utime).value();
   const BeamPlacement placement(
-      mount(), params_.timing,
+      mount(), mount().timing,
       {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body_)});
 
   RangeImage image = range_image(scans_, mount());
-  const int turns = params_.timing.turns(scans_.front().angle_step_rad);
+  const int turns = mount().timing.turns(scans_.front().angle_step_rad);
   remove_mixed_pixels(image, turns, params_.mixed_pixels);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     // Scans before the first tilt or after the last one cannot be placed.

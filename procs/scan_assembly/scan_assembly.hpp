@@ -22,7 +22,6 @@ namespace adit {
 
 struct ScanAssemblyParams {
   Lasers lasers;
-  ScanTiming timing;
   SweepMotionParams sweep;
   GravityParams gravity;
   MixedPixelParams mixed_pixels;
@@ -34,7 +33,6 @@ struct ScanAssemblyParams {
   template <class V>
   void visit(V& v) {
     v.shared(Lasers::kSection, lasers);
-    v("timing", timing);
     v("sweep", sweep);
     v("gravity", gravity);
     v("mixed_pixels", mixed_pixels);

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr int kIntervals = 12;  // between knots, over the half turn in which beams are measured
+constexpr double kIntervalRad = std::numbers::pi / 12.0;  // of the mirror, between knots
 
 /// The centre and a ring of eight points with equal weights have the second moment of a uniform
 /// disc if the ring is at three quarters of its radius: 8/9 · (3/4)² = 1/2.
@@ -31,7 +31,7 @@ Ray sub_ray(const LaserParams& params, double angle_rad, double across, double u
 
 std::vector<Ray> rays_of_beam(const LaserParams& params, int beam) {
   const double angle_rad =
-      params.bearing_scale * (beam * params.angle_step_rad() - std::numbers::pi / 2.0);
+      params.bearing_scale * (beam * params.angle_step_rad() - params.field_of_view_rad / 2.0);
   std::vector<Ray> rays{sub_ray(params, angle_rad, 0.0, 0.0)};
   for (int i = 1; i < params.subrays; ++i) {
     const double around = 2.0 * std::numbers::pi * i / (params.subrays - 1);
@@ -50,31 +50,34 @@ Eigen::Affine3f between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, 
 
 }  // namespace
 
-BeamFan::BeamFan(const LaserParams& params) : subrays_(static_cast<std::size_t>(params.subrays)) {
+BeamFan::BeamFan(const LaserParams& params)
+    : subrays_(static_cast<std::size_t>(params.subrays)),
+      intervals_(static_cast<int>(std::ceil(params.field_of_view_rad / kIntervalRad - 1e-9))) {
   if (params.subrays != 1 && params.subrays != 9) {
     throw std::invalid_argument("a beam has 1 or 9 sub-rays");
   }
   const double step_rad = params.angle_step_rad();
   const int turns = params.timing.turns(step_rad);
-  for (int turn = 0; turn < turns; ++turn) add_knots(turn, params.timing.mirror_hz);
+  for (int turn = 0; turn < turns; ++turn) add_knots(turn, params);
   for (int beam = 0; beam < params.beams; ++beam) {
-    add_beam_time(beam % turns, beam * step_rad / std::numbers::pi);
+    add_beam_time(beam % turns, beam * step_rad / params.field_of_view_rad);
     const std::vector<Ray> rays = rays_of_beam(params, beam);
     rays_laser_.insert(rays_laser_.end(), rays.begin(), rays.end());
   }
   rays_world_.resize(rays_laser_.size());
 }
 
-void BeamFan::add_knots(int turn, double mirror_hz) {
-  for (int i = 0; i <= kIntervals; ++i) {
-    knot_times_s_.push_back((turn + 0.5 * i / kIntervals) / mirror_hz);
+void BeamFan::add_knots(int turn, const LaserParams& params) {
+  const double view_turns = params.field_of_view_rad / (2.0 * std::numbers::pi);
+  for (int i = 0; i <= intervals_; ++i) {
+    knot_times_s_.push_back((turn + view_turns * i / intervals_) / params.timing.mirror_hz);
   }
 }
 
-void BeamFan::add_beam_time(int turn, double share_of_half_turn) {
-  const double place = kIntervals * share_of_half_turn;
-  const int interval = std::min(static_cast<int>(place), kIntervals - 1);
-  const int knot = turn * (kIntervals + 1) + interval;
+void BeamFan::add_beam_time(int turn, double share_of_view) {
+  const double place = intervals_ * share_of_view;
+  const int interval = std::min(static_cast<int>(place), intervals_ - 1);
+  const int knot = turn * (intervals_ + 1) + interval;
   beam_times_.push_back({static_cast<std::size_t>(knot), place - interval});
 }
 
@@ -120,7 +123,7 @@ LaserScan LaserModel::measure(const PoseAt& T_world_laser, std::int64_t utime) {
   const std::span<const Ray> rays = fan_.rays(T_world_laser);
   hits_.resize(rays.size());
   scene_.cast(rays, ray_length_m_, hits_);
-  LaserScan scan{utime, {}, -std::numbers::pi / 2.0, params_.angle_step_rad()};
+  LaserScan scan{utime, {}, -params_.field_of_view_rad / 2.0, params_.angle_step_rad()};
   scan.ranges_m.reserve(static_cast<std::size_t>(params_.beams));
   const auto n = static_cast<std::size_t>(params_.subrays);
   for (std::size_t i = 0; i < rays.size(); i += n) {

@@ -18,7 +18,7 @@
 
 namespace adit {
 
-/// The rays of a scan, grouped by beam, beams from −90° to 90°, each from the pose of the laser at
+/// The rays of a scan, grouped by beam, over the field of view, each from the pose of the laser at
 /// the time of its beam. A beam of nine rays has one in the centre and eight around it.
 class BeamFan {
  public:
@@ -38,10 +38,11 @@ class BeamFan {
     double share = 0.0;    ///< from this knot to the next, 0 to 1
   };
 
-  void add_knots(int turn, double mirror_hz);
-  void add_beam_time(int turn, double share_of_half_turn);
+  void add_knots(int turn, const LaserParams& params);
+  void add_beam_time(int turn, double share_of_view);
 
   std::size_t subrays_;
+  int intervals_;                     ///< between the knots of a turn
   std::vector<double> knot_times_s_;  ///< where the pose is evaluated
   std::vector<BeamTime> beam_times_;
   std::vector<Ray> rays_laser_;  ///< in the laser's frame
@@ -49,7 +50,7 @@ class BeamFan {
 };
 
 /// Simulates the scans of one laser. Each laser has its own random stream: the same seed and the
-/// same calls give the same scans. Beams run counter-clockwise from −90° to 90°.
+/// same calls give the same scans. Beams run counter-clockwise over the field of view.
 class LaserModel {
  public:
   /// T_world_laser at a time after the first beam of a scan [s].

@@ -9,11 +9,13 @@
 
 namespace adit {
 
-/// Model of a SICK LMS-200 with its errors. Sources of the values: docs/decisions/simulator.md.
+/// Model of a planar laser with its errors, by default of a SICK LMS-200. Sources of the values:
+/// docs/decisions/simulator.md.
 struct LaserParams {
-  int beams = 361;  ///< over 180°: 361, or 181 at twice the rate
+  int beams = 361;  ///< over the field of view; a SICK LMS-200 has 361, or 181 at twice the rate
   double unit_m =
-      0.01;  ///< resolution of a reading of 13 bits: 0.01 reaches 81.91 m, 0.001 reaches 8.191 m
+      0.01;  ///< resolution of a reading; of 13 bits, 0.01 reaches 81.91 m, 0.001 reaches 8.191 m
+  int reading_max = 8191;    ///< the reading for no return, in units
   double range_min_m = 0.2;  ///< shorter ranges read no return
   /// Maximum range of a surface of reflectivity 0.1 at normal incidence. That of other surfaces
   /// follows from the returned power, reflectivity · cos(incidence) / range².
@@ -32,12 +34,15 @@ struct LaserParams {
   double first_echo_share = 0.2;
   double scan_loss = 0.0;   ///< fraction of the scans that is lost, 0 to 1
   int scan_decimation = 1;  ///< only each n-th scan is simulated
+  // Of the laser's mount (LaserMount), where the stages find them as well.
+  double field_of_view_rad = std::numbers::pi;
   ScanTiming timing;
 
   template <class V>
   void visit(V& v) {
-    v("beams", beams, within(2, 361));
+    v("beams", beams, within(2, 4096));
     v("unit_m", unit_m, within(0.0001, 0.1));
+    v("reading_max", reading_max, within(100, 1'000'000));
     v("range_min_m", range_min_m, at_least(0.0));
     v("range_at_10_percent_m", range_at_10_percent_m, above(0.0));
     v("bearing_scale", bearing_scale, within(0.9, 1.1));
@@ -50,13 +55,12 @@ struct LaserParams {
     v("first_echo_share", first_echo_share, within(0.0, 1.0));
     v("scan_loss", scan_loss, within(0.0, 1.0));
     v("scan_decimation", scan_decimation, at_least(1));
-    v("timing", timing);
   }
 
-  /// The reading for no return: the maximum, 8191 units.
-  [[nodiscard]] double no_return_m() const { return 8191.0 * unit_m; }
+  /// The reading for no return: the maximum.
+  [[nodiscard]] double no_return_m() const { return reading_max * unit_m; }
   /// Angle between two beams.
-  [[nodiscard]] double angle_step_rad() const { return std::numbers::pi / (beams - 1); }
+  [[nodiscard]] double angle_step_rad() const { return field_of_view_rad / (beams - 1); }
 };
 
 }  // namespace adit

@@ -3,11 +3,11 @@
 #include "sim/simulation/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -51,13 +51,16 @@ TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
                                 std::uint64_t seed) {
   const bool front = laser == SimLaser::kFront;
   const LaserMount& mount = front ? params.lasers.front : params.lasers.rear;
+  LaserParams model = params.laser;
+  model.field_of_view_rad = mount.field_of_view_rad;
+  model.timing = mount.timing;
   if (mount.range_max_m > params.laser.no_return_m()) {
     throw std::invalid_argument(
-        "lasers: range_max_m exceeds 8191 times laser.unit_m of sim, which "
+        "lasers: range_max_m exceeds laser.reading_max times laser.unit_m of sim, which "
         "is the reading for no return");
   }
   return {mount,
-          params.laser,
+          model,
           params.tilt,
           front ? 0.0 : 0.5,
           stream_seed(seed, front ? RandomStream::kFrontLaser : RandomStream::kRearLaser),
@@ -75,17 +78,20 @@ class Simulation::Impl {
         faults_(params.faults, start_utime),
         vehicle_(site, params.vehicle, params.motion, stream_seed(seed, RandomStream::kVehicle),
                  start_utime),
-        lasers_{make_laser(SimLaser::kFront, seed, start_utime),
-                make_laser(SimLaser::kRear, seed, start_utime)},
         wheels_(params.wheel_odometry, stream_seed(seed, RandomStream::kWheelOdometry),
                 params.vehicle),
         imu_(params.imu, stream_seed(seed, RandomStream::kImu)),
         queue_(faults_, stream_seed(seed, RandomStream::kPacketLoss)),
-        utime_(start_utime) {}
+        utime_(start_utime) {
+    for (const SimLaser laser : laser_ids())
+      lasers_.push_back(make_laser(laser, seed, start_utime));
+  }
 
   void command(const DriveCommand& command) { vehicle_.command(command); }
   void command(const StopOrder& order) { vehicle_.command(order); }
-  void command(SimLaser laser, const TiltCommand& command) { of(laser).command(command); }
+  void command(SimLaser laser, const TiltCommand& command) {
+    if (laser == SimLaser::kFront || params_.lasers.has_rear()) of(laser).command(command);
+  }
 
   std::vector<Reading> step() {
     const BodyMotion before = vehicle_.motion();
@@ -110,6 +116,11 @@ class Simulation::Impl {
             vehicle_.motion().T_world_body};
   }
 
+  [[nodiscard]] std::vector<SimLaser> laser_ids() const {
+    if (params_.lasers.has_rear()) return {SimLaser::kFront, SimLaser::kRear};
+    return {SimLaser::kFront};
+  }
+
   TiltingLaser& of(SimLaser laser) { return lasers_[laser == SimLaser::kFront ? 0 : 1]; }
 
   void advance() {
@@ -122,7 +133,7 @@ class Simulation::Impl {
   }
 
   void add_scans() {
-    for (const SimLaser laser : {SimLaser::kFront, SimLaser::kRear}) {
+    for (const SimLaser laser : laser_ids()) {
       const auto alive = [&](std::int64_t utime) { return faults_.alive(laser, utime); };
       for (auto& [utime, scan] : of(laser).finished_scans(alive)) {
         queue_.add(utime, LaserReading{laser, std::move(scan)});
@@ -133,8 +144,9 @@ class Simulation::Impl {
   void add_sensors(const BodyMotion& before) {
     const auto add = [&](Reading reading) { queue_.add(utime_, std::move(reading)); };
     if (is_time(kTiltEvery)) {
-      add(LaserTiltReading{SimLaser::kFront, of(SimLaser::kFront).tilt_reading()});
-      add(LaserTiltReading{SimLaser::kRear, of(SimLaser::kRear).tilt_reading()});
+      for (const SimLaser laser : laser_ids()) {
+        add(LaserTiltReading{laser, of(laser).tilt_reading()});
+      }
     }
     if (params_.wheel_odometry.present && is_time(kWheelsEvery)) add(wheels_.reading(utime_));
     if (params_.imu.present) add(imu_.measure(before, vehicle_.motion(), kStepS));
@@ -157,7 +169,7 @@ class Simulation::Impl {
   SimulationParams params_;
   FaultSchedule faults_;
   VehicleModel vehicle_;
-  std::array<TiltingLaser, 2> lasers_;
+  std::vector<TiltingLaser> lasers_;  ///< front, rear
   DeadReckoning wheels_;
   InertialUnit imu_;
   ReadingQueue queue_;

@@ -51,8 +51,8 @@ ScanSchedule::ScanSchedule(const LaserParams& params, std::int64_t start_utime, 
       period_s_(params.timing.scan_period_s(params.angle_step_rad())),
       last_beam_s_(0.0),
       scan_decimation_(params.scan_decimation) {
-  for (const int beam :
-       {params.beams - 2, params.beams - 1}) {  // the last beam of each of two turns
+  const int turns = params.timing.turns(params.angle_step_rad());
+  for (int beam = std::max(0, params.beams - turns); beam < params.beams; ++beam) {
     last_beam_s_ = std::max(last_beam_s_, params.timing.beam_time_s(beam, params.angle_step_rad()));
   }
 }

@@ -25,12 +25,14 @@ mkdir in_clouds && "$adit" scan sample --out in_clouds/1700000000.ply >/dev/null
 printf '1700000000 0 0 0 0 0 0 1\n' > in_poses.tum
 printf '0 0\n1 0\n' > in.txt
 printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
+printf 'lasers: {rear: {T_body_laser: {x_m: -1}}}\n' > in_robot.yaml
 mapfile -t inputs < <(ls)
 
 # Standard output: command lines that print a result.
 declare -A prints=(
-  [campaign]='campaign in.yaml --out out' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
-  [completion]='completion bash' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
+  [campaign]='campaign in.yaml --out out' [check]='check in_robot.yaml' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
+  [check-stop]='check-stop guard --log in.lcmlog' [check-motion]='check-motion left --log in.lcmlog'
+  [completion]='completion bash' [doctor]='doctor --seconds 0.2' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
   [import]='import carmen in.log out.lcmlog' [import_bag]='import bag in_bag out.lcmlog'
   [import_clouds]='import clouds in_clouds out.lcmlog --poses in_poses.tum' [map]='map in.log --out out' [merge]='merge in.log --out out'
   [optimize]='optimize in.g2o'
@@ -38,7 +40,7 @@ declare -A prints=(
   [volume]='volume in_scan.lcmlog --out out')
 # Files: command lines that write, and print nothing that matters.
 declare -A writes=(
-  [drive]='drive sample --waypoints in.txt --out out.lcmlog'
+  [check_picture]='check in_robot.yaml --picture out.png' [drive]='drive sample --waypoints in.txt --out out.lcmlog'
   [export_mcap]='export in.lcmlog --mcap out.mcap' [export_lcm]='export in.lcmlog --lcmlog out.lcmlog.zst'
   [export_ros]='export in.lcmlog --rosbag2 out'
   [import]='import carmen in.log out.lcmlog' [import_bag]='import bag in_bag out.lcmlog'

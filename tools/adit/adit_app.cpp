@@ -35,8 +35,11 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->get_formatter()->column_width(34);
   app->footer(kAppFooter);
   add_campaign_command(*app);
+  add_check_command(*app);
   add_check_driver_command(*app);
+  add_commission_commands(*app);
   add_completion_command(*app);
+  add_doctor_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);
   add_export_command(*app);

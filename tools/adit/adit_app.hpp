@@ -45,10 +45,14 @@ std::string process_table_text(std::string_view rows);
 /// Adds the option --key of commands that send orders: the file of a SealKey, or empty.
 void add_key_option(CLI::App& command, std::string& key);
 
-// Each function adds one sub-command (add_process_commands: start, stop, restart and ps).
+// Each function adds one sub-command (add_process_commands: start, stop, restart and ps;
+// add_commission_commands: check-stop and check-motion).
 void add_campaign_command(CLI::App& adit);
+void add_check_command(CLI::App& adit);
 void add_check_driver_command(CLI::App& adit);
+void add_commission_commands(CLI::App& adit);
 void add_completion_command(CLI::App& adit);
+void add_doctor_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_export_command(CLI::App& adit);

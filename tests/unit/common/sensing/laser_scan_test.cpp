@@ -29,6 +29,17 @@ TEST(ScanTiming, HalfADegreeTakesTwoTurnsInterlaced) {
   EXPECT_NEAR(kTiming.beam_time_s(359, step), 1.0 / 75.0 + 179.5 / 360.0 / 75.0, 1e-15);
 }
 
+TEST(ScanTiming, TakesAsManyTurnsAsConfigured) {
+  // A Hokuyo UTM-30LX: a quarter of a degree in one turn at 40 Hz.
+  const ScanTiming hokuyo{.mirror_hz = 40.0, .mirror_turns = 1};
+  EXPECT_DOUBLE_EQ(hokuyo.scan_period_s(deg_to_rad(0.25)), 1.0 / 40.0);
+  EXPECT_NEAR(hokuyo.beam_time_s(1080, deg_to_rad(0.25)), 0.75 / 40.0, 1e-15);
+  // A SICK LMS-200 at a quarter of a degree: every fourth beam in each of four turns.
+  const ScanTiming sick{.mirror_hz = 75.0, .mirror_turns = 4};
+  EXPECT_NEAR(sick.scan_period_s(deg_to_rad(0.25)), 4.0 / 75.0, 1e-15);
+  EXPECT_NEAR(sick.beam_time_s(3, deg_to_rad(0.25)), 3.0 / 75.0 + 0.75 / 360.0 / 75.0, 1e-15);
+}
+
 TEST(ScanTiming, ScalesWithTheMirrorFrequency) {
   const ScanTiming slow{.mirror_hz = 10.0};
   EXPECT_NEAR(slow.scan_period_s(deg_to_rad(0.5)), 0.2, 1e-15);

@@ -34,6 +34,46 @@ TEST(LaserModel, MeasuresWallsWithinItsErrors) {
   }
 }
 
+TEST(LaserModel, MeasuresAnyFieldOfViewWithManyBeams) {
+  const World world = box_tunnel({12.0, 6.0, 2.0});
+  const RayScene scene(world.mesh);
+  LaserParams params = perfect_laser();
+  params.reading_max = 65'535;
+  params.timing = {.mirror_hz = 40.0, .mirror_turns = 1};
+  for (const double degrees : {270.0, 360.0, 100.0}) {
+    for (const int beams : {1081, 4096}) {
+      params.field_of_view_rad = deg_to_rad(degrees);
+      params.beams = beams;
+      LaserModel laser(scene, params, 1);
+      const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle));
+      ASSERT_EQ(scan.ranges_m.size(), static_cast<std::size_t>(beams));
+      EXPECT_NEAR(beam_angle(scan, scan.ranges_m.size() - 1), deg_to_rad(degrees / 2.0), 1e-9);
+      for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+        const double range = range_in_rectangle(12.0, 6.0, beam_angle(scan, i));
+        EXPECT_NEAR(scan.ranges_m[i], range, kHalfMillimetre) << degrees << " " << i;
+      }
+    }
+  }
+}
+
+TEST(LaserModel, PlacesEachBeamOfAWideScanAtItsTime) {
+  const World world = box_tunnel({12.0, 6.0, 2.0});
+  const RayScene scene(world.mesh);
+  LaserParams params = perfect_laser();
+  params.field_of_view_rad = deg_to_rad(270.0);
+  params.beams = 1081;
+  params.timing = {.mirror_hz = 40.0, .mirror_turns = 1};
+  LaserModel laser(scene, params, 1);
+  constexpr double kRate = 1.0;  // [rad/s]
+  const LaserScan scan =
+      laser.measure([&](double seconds) { return laser_at(kMiddle, kRate * seconds); }, 0);
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double yaw = kRate * params.timing.beam_time_s(static_cast<int>(i), scan.angle_step_rad);
+    const double range = range_in_rectangle(12.0, 6.0, beam_angle(scan, i) + yaw);
+    EXPECT_NEAR(scan.ranges_m[i], range, 0.001) << i;  // and the interpolation between knots
+  }
+}
+
 TEST(LaserModel, NoiseHasTheConfiguredMeanAndDeviation) {
   const World world = box_tunnel({12.0, 6.0, 2.0});
   const RayScene scene(world.mesh);

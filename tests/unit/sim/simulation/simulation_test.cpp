@@ -59,6 +59,20 @@ TEST(Simulation, ANoiseSeedReplacesThatOfTheWorldForErrorsOfSensors) {
   EXPECT_NE(bytes_of(run(site, params, 1.0, stand, 7)), by_world);
 }
 
+TEST(Simulation, ARobotWithOneLaserHasNoReadingsOfARearOne) {
+  const Site site(box_tunnel());
+  SimulationParams params;
+  params.lasers.count = 1;
+  params.lasers.front.field_of_view_rad = 1.5 * std::numbers::pi;
+  params.lasers.front.timing = {.mirror_hz = 40.0, .mirror_turns = 1};
+  params.laser.beams = 1081;
+  const auto readings = run(site, params, 2.0);
+  EXPECT_EQ(scans_of(readings, SimLaser::kFront).size(), 80U);  // the last one ends at 1.99 s
+  EXPECT_EQ(scans_of(readings, SimLaser::kFront).front().ranges_m.size(), 1081U);
+  EXPECT_THAT(scans_of(readings, SimLaser::kRear), testing::IsEmpty());
+  EXPECT_EQ(only<LaserTiltReading>(readings).size(), 100U);
+}
+
 TEST(Simulation, OmitsAbsentSensorsAndDecimatedScans) {
   const Site site(box_tunnel());
   SimulationParams params;

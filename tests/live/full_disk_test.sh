@@ -20,8 +20,8 @@ complain() { echo "FAILED: $*: $(head -c 300 err)" >&2; failures=$((failures + 1
 printf 'EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n' > in.g2o
 printf '1700000000.4 1700000001.4 0 0 0 0 0 0\n' > in.relations
 "$adit" scan sample --out in_scan.lcmlog >/dev/null || exit 1
-"$adit" export in.lcmlog --rosbag2 in_bag >/dev/null || exit 1
-mkdir in_clouds && "$adit" scan sample --out in_clouds/1700000000.ply >/dev/null || exit 1
+"$adit" export in.lcmlog --rosbag2 ../in_bag >/dev/null || exit 1
+mkdir ../in_clouds && "$adit" scan sample --out ../in_clouds/1700000000.ply >/dev/null || exit 1
 printf '1700000000 0 0 0 0 0 0 1\n' > in_poses.tum
 printf '0 0\n1 0\n' > in.txt
 printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
@@ -33,8 +33,8 @@ declare -A prints=(
   [campaign]='campaign in.yaml --out out' [check]='check in_robot.yaml' [check-driver]='check-driver LASER_FRONT --log in.lcmlog'
   [check-stop]='check-stop guard --log in.lcmlog' [check-motion]='check-motion left --log in.lcmlog'
   [completion]='completion bash' [doctor]='doctor --seconds 0.2' [eval]='eval relations in.relations in.tum' [help]='--help' [version]='--version'
-  [import]='import carmen in.log out.lcmlog' [import_bag]='import bag in_bag out.lcmlog'
-  [import_clouds]='import clouds in_clouds out.lcmlog --poses in_poses.tum' [map]='map in.log --out out' [merge]='merge in.log --out out'
+  [import]='import carmen in.log out.lcmlog' [import_bag]='import bag ../in_bag out.lcmlog'
+  [import_clouds]='import clouds ../in_clouds out.lcmlog --poses in_poses.tum' [map]='map in.log --out out' [merge]='merge in.log --out out'
   [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'
   [volume]='volume in_scan.lcmlog --out out')
@@ -43,8 +43,8 @@ declare -A writes=(
   [check_picture]='check in_robot.yaml --picture out.png' [drive]='drive sample --waypoints in.txt --out out.lcmlog'
   [export_mcap]='export in.lcmlog --mcap out.mcap' [export_lcm]='export in.lcmlog --lcmlog out.lcmlog.zst'
   [export_ros]='export in.lcmlog --rosbag2 out'
-  [import]='import carmen in.log out.lcmlog' [import_bag]='import bag in_bag out.lcmlog'
-  [import_clouds]='import clouds in_clouds out.lcmlog --poses in_poses.tum' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
+  [import]='import carmen in.log out.lcmlog' [import_bag]='import bag ../in_bag out.lcmlog'
+  [import_clouds]='import clouds ../in_clouds out.lcmlog --poses in_poses.tum' [key]='key --new out.key' [map]='map in.log --out out' [map_lcm]='map in.lcmlog --out out'
   [merge]='merge in.log --out out'
   [optimize]='optimize in.g2o --out out.g2o' [optimize_gz]='optimize in.g2o --out out.g2o.gz'
   [plan]='plan in_scan.lcmlog --out out' [sample]='sample out.log --length-m 4'

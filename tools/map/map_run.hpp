@@ -13,12 +13,12 @@ namespace adit {
 
 struct MapRunOptions {
   std::filesystem::path input;   ///< CARMEN log, plain or gzip, LCM log, or bag of ROS
-  TopicChoice topics = {};       ///< of a bag
   std::filesystem::path folder;  ///< created if it does not exist
   std::filesystem::path config;  ///< YAML, or empty: defaults
   bool use_odometry = true;      ///< false: wheel odometry and IMU are not replayed
   std::filesystem::path resume;  ///< folder of an earlier run whose map is continued, or empty
   bool draw_graph = false;       ///< draw the pose graph into map.png
+  TopicChoice topics = {};       ///< of a bag
 };
 
 struct MapRunResult {

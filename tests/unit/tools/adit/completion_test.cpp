@@ -67,7 +67,7 @@ TEST(Completion, ScriptContainsEveryCommandAndOption) {
 
 TEST_F(BashCompletion, CompletesCommandsAndOptions) {
   EXPECT_EQ(completions("adit imp"), "import\n");
-  EXPECT_EQ(completions("adit import \"\""), "bag\nclouds\ncarmen\n");
+  EXPECT_EQ(completions("adit import \"\""), "bag clouds carmen\n");
   EXPECT_EQ(completions("adit completion b"), "bash\n");
   EXPECT_EQ(completions("adit sample --se"), "--seed\n");
 }

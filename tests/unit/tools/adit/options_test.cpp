@@ -24,8 +24,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// What an option that is text calls its value in the help.
-const std::set<std::string> kTextTypes{"AXIS", "DIR",  "FAULT", "FILE",     "NAME", "PATH",
-                                       "PNG",  "TEXT", "URL",   "STAGE,..", "WORLD"};
+const std::set<std::string> kTextTypes{"AXIS", "DIR",  "FAULT", "FILE",     "FRAME", "NAME", "PATH",
+                                       "PNG",  "TEXT", "URL",   "STAGE,..", "TOPIC", "WORLD"};
 
 void visit_options(const CLI::App& app, const std::string& path,
                    const std::function<void(const std::string&, const CLI::Option&)>& visit) {

@@ -132,14 +132,14 @@ void Mission::abandon_target() {
 }
 
 /// On the return the traversed path leads on, through the place where the robot is stuck. It has
-/// come there from the other side, and from some metres back it approaches in another way. False if
+/// come there from the other side, and from some metres back it approaches differently. False if
 /// the target is a frontier, which it may leave.
 bool Mission::withdraw(const std::string& reason) {
   if (phase_.frontier || !is_returning() || failed_tries_ < kTriesBeforeWithdrawal) return false;
   auto withdrawal = Retracing::withdrawal(localization_.traversed_path(),
                                           std::min(failed_tries_ * kWithdrawalM, kWithdrawalMaxM));
   if (!withdrawal) return false;
-  begin(std::move(*withdrawal), "back the way it came, to approach again: " + reason);
+  begin(std::move(*withdrawal), "back into the mine, to approach again: " + reason);
   return true;
 }
 

@@ -139,10 +139,10 @@ std::string change_table(const std::vector<ChangeRegion>& regions, const Eigen::
   for (const ChangeRegion& region : regions) {
     const Eigen::Vector3d p = origin + region.p;
     fmt::format_to(std::back_inserter(table),
-                   "{},{:.3f},{:.3f},{:.3f},{},{:.3f},{:.3f},{:.2f},{:.3f},{:.3f},\"{}\"\n",
-                   ++number, p.x(), p.y(), p.z(), name_of(region.kind), region.mean_m,
-                   region.most_m, region.area_m2, region.volume_m3, region.volume_sd_m3,
-                   region.meaning());
+                   "{},{:.3f},{:.3f},{:.3f},{},{:.3f},{:.3f},{:.2f},{:.3f},{:.3f},{}\n", ++number,
+                   p.x(), p.y(), p.z(), name_of(region.kind), region.mean_m, region.most_m,
+                   region.area_m2, region.volume_m3, region.volume_sd_m3,
+                   '"' + region.meaning() + '"');
   }
   return table;
 }

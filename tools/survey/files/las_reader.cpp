@@ -71,7 +71,7 @@ void read_las(const std::filesystem::path& path,
       number_at<std::uint16_t>(bytes, kPointBytesAt) != kOwnPointBytes || first < kHeaderBytesMin ||
       first > bytes.size() || !has_own_attributes(bytes.first(first)))
     fail(path, "not a cloud of adit survey (LAS 1.4 with scan, sd_plan and sd_z)");
-  if (count > (bytes.size() - first) / kOwnPointBytes) fail(path, "cut off");
+  if (count > (bytes.size() - first) / kOwnPointBytes) fail(path, "truncated");
   if (!scale.allFinite() || !offset.allFinite()) fail(path, "damaged header");
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::size_t begin = first + i * kOwnPointBytes;

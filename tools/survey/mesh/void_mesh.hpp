@@ -13,7 +13,7 @@ struct VoidMeshParams {
   double spacing_m = 0.12;             ///< of vertices
   std::size_t vertices_max = 600'000;  ///< with more the spacing, and edge_max_m, grow
   double smooth_m = 0.25;              ///< radius of the points that a vertex is the mean plane of
-  double edge_max_m = 0.4;             ///< across less the surface is taken to go on
+  double edge_max_m = 0.4;             ///< across less the surface is taken to continue
   double range_max_m = 12.0;           ///< of returns
   double part_min_m2 = 1.0;            ///< smaller parts are strays
 };

@@ -35,44 +35,44 @@ class OpenTraverse {
   }
 
   /// What was measured from one local map to a later one, with its covariance.
-  struct Way {
+  struct Leg {
     Pose2 T_from_to;
     double length_m = 0.0;
     /// Of (x, y, θ) in the frame of `to`.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   };
   /// Nothing if a step is missing.
-  [[nodiscard]] std::optional<Way> way(int from, int to) const {
-    Way way;
+  [[nodiscard]] std::optional<Leg> leg(int from, int to) const {
+    Leg leg;
     for (int i = from + 1; i <= to; ++i) {
       const PoseConstraint* const step = step_to_[static_cast<std::size_t>(i)];
       if (step == nullptr) return std::nullopt;
-      way.T_from_to = way.T_from_to * step->T_from_to;
-      way.length_m += step->T_from_to.translation().norm();
+      leg.T_from_to = leg.T_from_to * step->T_from_to;
+      leg.length_m += step->T_from_to.translation().norm();
       // Errors before this step, seen from its end: the adjoint of its inverse.
       const Pose2 T_to_from = step->T_from_to.inverse();
       Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
       J.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T_to_from.theta).toRotationMatrix();
       J(0, 2) = T_to_from.y;
       J(1, 2) = -T_to_from.x;
-      way.covariance = J * way.covariance * J.transpose() + step->information.inverse();
+      leg.covariance = J * leg.covariance * J.transpose() + step->information.inverse();
     }
-    return way;
+    return leg;
   }
 
  private:
   std::vector<const PoseConstraint*> step_to_;
 };
 
-/// Largest standard deviation in plan of a station of the traverse without its closures, as seen
-/// from the first one.
+/// Largest standard deviation in plan of a station of the traverse without its loop closures, as
+/// seen from the first one.
 double open_plan_sd_m(const MapGraph& graph) {
   const OpenTraverse traverse(graph);
   double most = 0.0;
   for (int to = 1; to < static_cast<int>(graph.poses.size()); ++to) {
-    const auto way = traverse.way(0, to);
-    if (!way) break;
-    most = std::max(most, position_sd_m(way->covariance));
+    const auto leg = traverse.leg(0, to);
+    if (!leg) break;
+    most = std::max(most, position_sd_m(leg->covariance));
   }
   return most;
 }
@@ -95,24 +95,24 @@ std::vector<TraverseLoop> traverse_loops(const MapGraph& graph) {
   std::vector<TraverseLoop> loops;
   for (const MapConstraint& constraint : graph.constraints) {
     if (constraint.kind != MapConstraint::Kind::kLoopClosure) continue;
-    PoseConstraint closure = constraint.measured;
-    if (closure.from > closure.to) {
+    PoseConstraint loop_closure = constraint.measured;
+    if (loop_closure.from > loop_closure.to) {
       // The covariance of the inverse, seen from the other end.
-      const Pose2 T = closure.T_from_to;
+      const Pose2 T = loop_closure.T_from_to;
       Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
       J.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(T.theta).toRotationMatrix();
       J(0, 2) = T.y;
       J(1, 2) = -T.x;
-      const Eigen::Matrix3d covariance = J * closure.information.inverse() * J.transpose();
-      closure = {closure.to, closure.from, T.inverse(), covariance.inverse()};
+      const Eigen::Matrix3d covariance = J * loop_closure.information.inverse() * J.transpose();
+      loop_closure = {loop_closure.to, loop_closure.from, T.inverse(), covariance.inverse()};
     }
-    const auto way = traverse.way(closure.from, closure.to);
-    if (!way) continue;
-    const Pose2 miss = closure.T_from_to.inverse() * way->T_from_to;
+    const auto leg = traverse.leg(loop_closure.from, loop_closure.to);
+    if (!leg) continue;
+    const Pose2 miss = loop_closure.T_from_to.inverse() * leg->T_from_to;
     const Eigen::Vector3d e(miss.x, miss.y, wrap_angle(miss.theta));
-    const Eigen::Matrix3d covariance = way->covariance + closure.information.inverse();
-    loops.push_back({closure.from, closure.to, way->length_m, e.head<2>().norm(), std::abs(e.z()),
-                     e.dot(covariance.inverse() * e)});
+    const Eigen::Matrix3d covariance = leg->covariance + loop_closure.information.inverse();
+    loops.push_back({loop_closure.from, loop_closure.to, leg->length_m, e.head<2>().norm(),
+                     std::abs(e.z()), e.dot(covariance.inverse() * e)});
   }
   std::ranges::stable_sort(loops, std::ranges::greater{}, &TraverseLoop::chi2);
   return loops;
@@ -134,7 +134,7 @@ std::vector<BudgetRow> accuracy_budget(const MapGraph& graph, const RegisteredCl
       {fmt::format("levelling of 3D scans: {:.1f} mrad at {:.1f} m", 1e3 * level_sd_rad, at_m),
        kNotSaid, level_sd_rad * at_m},
       {"matching: open traverse, its most uncertain station", open_plan_sd_m(graph), kNotSaid},
-      {"adjusted with closures and control, most uncertain station", plan_sd_m, z_sd_m},
+      {"adjusted with loop closures and control, most uncertain station", plan_sd_m, z_sd_m},
       {"a return from there", std::hypot(plan_sd_m, kRangeSdM),
        std::hypot(z_sd_m, level_sd_rad * at_m, kRangeSdM)},
   };

@@ -14,21 +14,21 @@
 
 namespace adit {
 
-/// A loop of the traverse: a loop closure and the way between its local maps.
+/// A loop of the traverse: a loop closure and the traverse between its local maps.
 struct TraverseLoop {
   int from = 0;  ///< local maps, the older one first
   int to = 0;
   double length_m = 0.0;  ///< of the traverse between them
-  /// By how much the traverse, followed from `from` to `to` without any closure, misses where the
-  /// closure puts `to`.
+  /// By how much the traverse, followed from `from` to `to` without any loop closure, misses where
+  /// the loop closure puts `to`.
   double misclosure_m = 0.0;
   double misclosure_rad = 0.0;
-  /// Of that misclosure by what the traverse and the closure state: chi-square with three degrees
-  /// of freedom.
+  /// Of that misclosure by what the traverse and the loop closure state: chi-square with three
+  /// degrees of freedom.
   double chi2 = 0.0;
 };
 
-/// The loops of the closures in force, the worst chi-square first. Those without a traverse of
+/// The loops of the loop closures in force, the worst chi-square first. Those without a traverse of
 /// consecutive local maps between their ends (another session) are left out.
 std::vector<TraverseLoop> traverse_loops(const MapGraph& graph);
 

@@ -204,7 +204,8 @@ void draw_loops(const TraverseReport& report, PdfPage& page) {
     top = page.paragraph(
         {kBorderMm, table.bottom() + 2.0}, width,
         fmt::format("{} loops, the worst first (all: loops.csv). The traverse between both local "
-                    "maps, followed without any closure, misses the closure by this; chi² is what "
+                    "maps, followed without any loop closure, misses the loop closure by this; "
+                    "chi² is what "
                     "both state of it, 95 % are below 7.8.",
                     report.loops.size()),
         2.6, kGreyInk);

@@ -108,7 +108,7 @@ void sort_by_volume(std::vector<WaterBody>& bodies) {
   std::ranges::stable_sort(bodies, std::ranges::greater{}, &WaterBody::volume_m3);
 }
 
-/// The level to which each cell fills: its own height, or that of the lowest way to an outlet.
+/// The level to which each cell fills: its own height, or that of the lowest path to an outlet.
 /// Infinite where none is reached.
 Grid2<float> filled_levels(const FloodGround& ground) {
   Grid2<float> level(ground.floor_m.box(), std::numeric_limits<float>::infinity());

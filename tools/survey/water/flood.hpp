@@ -17,7 +17,7 @@ namespace adit {
 struct FloodGround {
   double cell_m = 0.1;
   Grid2<float> floor_m;         ///< height; NaN: rock, or nothing is known
-  Grid2<std::uint8_t> outlets;  ///< 1 where the floor goes on beyond what was seen
+  Grid2<std::uint8_t> outlets;  ///< 1 where the floor continues beyond what was seen
 };
 
 /// Where water leaves a body.
@@ -35,7 +35,7 @@ struct WaterBody {
   double depth_m = 0.0;               ///< the largest one
   Eigen::Vector2d deepest{0.0, 0.0};  ///< its place
   bool reaches_unseen = false;        ///< it continues where nothing was seen
-  std::optional<Spill> spill;         ///< nothing: no way out was seen
+  std::optional<Spill> spill;         ///< nothing: no outlet was seen
   std::vector<Eigen::Vector2i> cells;
 
   [[nodiscard]] double mean_depth_m() const { return volume_m3 / area_m2; }

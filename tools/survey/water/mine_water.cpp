@@ -35,8 +35,8 @@ bool is_void_column(const SurveyColumn& column) {
   return column.kind == SurveyColumn::Kind::kVoid && std::isfinite(column.floor_m);
 }
 
-bool goes_on(const ColumnGrid& filled, const OccupancyGrid* free_space,
-             const Eigen::Vector2i& cell) {
+bool continues(const ColumnGrid& filled, const OccupancyGrid* free_space,
+               const Eigen::Vector2i& cell) {
   if (filled.columns.get(cell).kind != SurveyColumn::Kind::kUnseen) return false;
   return free_space == nullptr ||
          free_space->state(free_space->cell_at(centre_of(cell, filled.cell_m))) !=
@@ -221,7 +221,7 @@ FloodGround flood_ground(const ColumnGrid& filled, const OccupancyGrid* free_spa
     ground.floor_m[i] = filled.columns[i].floor_m;
     const Eigen::Vector2i cell = filled.columns.cell(i);
     ground.outlets[i] = std::ranges::any_of(kBesideCell, [&](const Eigen::Vector2i& step) {
-      return goes_on(filled, free_space, cell + step);
+      return continues(filled, free_space, cell + step);
     });
   }
   remove_narrow(ground.outlets, static_cast<int>(std::ceil(outlet_min_m / filled.cell_m)));
@@ -298,7 +298,7 @@ std::string water_table(const std::vector<SurveyedWater>& bodies, const SurveyFr
                      csv(frame.origin().z() + body.spill->level_m), csv(place.x()), csv(place.y()),
                      body.spill->out_of_sight ? "beyond what was seen" : "to lower floor");
     } else {
-      table += water.kind == SurveyedWater::Kind::kSeen ? ",,,unknown\n" : ",,,no way out seen\n";
+      table += water.kind == SurveyedWater::Kind::kSeen ? ",,,unknown\n" : ",,,no outlet seen\n";
     }
   }
   return table;

@@ -607,7 +607,7 @@ TEST_F(MissionRecovery, ExploresAgainIfPlanningDoesNotAnswerARejoinWithoutATarge
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-/// The robot has come back to x = 6 m from 10 m, and its way home is the traversed path.
+/// The robot has come back to x = 6 m from 10 m, and the traversed path leads home.
 TEST_F(MissionRecovery, GoesBackIntoTheMineToApproachAgainWhereItIsStuck) {
   match(kStart);
   while (x_m_ < 10.0) {

@@ -23,8 +23,9 @@ Eigen::Matrix3d information(double place_sd_m, double turn_sd_rad) {
       .asDiagonal();
 }
 
-/// A square of 20 m: 5 steps of 4 m along each side, a closure from the last local map to the first
-/// one that finds the traverse off by 0.1 m along x. The closure is stored either way.
+/// A square of 20 m: 5 steps of 4 m along each side, a loop closure from the last local map to the
+/// first one that finds the traverse off by 0.1 m along x. The loop closure is stored in either
+/// order.
 MapGraph square(bool reversed) {
   MapGraph graph;
   graph.poses.emplace_back();
@@ -36,9 +37,9 @@ MapGraph square(bool reversed) {
     graph.constraints.push_back(
         {{i - 1, i, step, information(kStepSdM, kTurnSdRad)}, MapConstraint::Kind::kSequential});
   }
-  const Pose2 closure(-0.1, 0.0, 0.0);  // the traverse says 0
-  PoseConstraint measured{0, 20, closure, information(0.02, 0.002)};
-  if (reversed) measured = {20, 0, closure.inverse(), information(0.02, 0.002)};
+  const Pose2 loop_closure(-0.1, 0.0, 0.0);  // the traverse says 0
+  PoseConstraint measured{0, 20, loop_closure, information(0.02, 0.002)};
+  if (reversed) measured = {20, 0, loop_closure.inverse(), information(0.02, 0.002)};
   graph.constraints.push_back({measured, MapConstraint::Kind::kLoopClosure});
   return graph;
 }
@@ -67,7 +68,7 @@ TEST(Traverse, HasTheMisclosureOfALoop) {
   }
 }
 
-TEST(Traverse, LeavesOutLoopsWithoutAWay) {
+TEST(Traverse, LeavesOutLoopsWithoutATraverse) {
   MapGraph graph = square(false);
   graph.constraints.erase(graph.constraints.begin() + 7);  // another session
   EXPECT_TRUE(traverse_loops(graph).empty());

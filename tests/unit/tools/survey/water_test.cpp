@@ -17,7 +17,7 @@ using testing::HasSubstr;
 constexpr double kFloodCellM = 0.1;
 
 /// A tunnel of 20 m by 4 m whose floor has two bowls: at x = 5 (radius 1.5 m, 0.6 m deep), and at
-/// x = 14 (1 m, 0.3 m); between them a sill 0.2 m high at x = 10. It goes on at x = 20.
+/// x = 14 (1 m, 0.3 m); between them a sill 0.2 m high at x = 10. It continues at x = 20.
 double floor_m(const Eigen::Vector2d& p) {
   const auto bowl = [&](double x, double radius, double depth) {
     const double r = (p - Eigen::Vector2d(x, 0.0)).norm() / radius;
@@ -74,7 +74,7 @@ TEST(Flood, StandsAtALevel) {
   EXPECT_NEAR(bodies[0].spill->level_m, 0.2, 1e-6);  // over the sill
 }
 
-TEST(Flood, SaysWhereItGoesOnBeyondWhatWasSeen) {
+TEST(Flood, SaysWhereItContinuesBeyondWhatWasSeen) {
   const auto bodies = flooded_at(flood_ground(tunnel(), nullptr), 0.3, 0.5);
   ASSERT_EQ(bodies.size(), 1U);
   EXPECT_TRUE(bodies[0].reaches_unseen);
@@ -92,7 +92,7 @@ TEST(Flood, DoesNotTakeAShadowForAnOutlet) {
   EXPECT_EQ(flood_ground(grid, nullptr).outlets.at({199, 0}), 1);
 }
 
-TEST(Flood, HasNoHollowsWithoutAWayOut) {
+TEST(Flood, HasNoHollowsWithoutAnOutlet) {
   ColumnGrid grid = tunnel();
   for (std::size_t i = 0; i < grid.columns.size(); ++i) {
     if (grid.columns[i].kind == SurveyColumn::Kind::kUnseen)

@@ -21,12 +21,16 @@ complain() { echo "FAILED: $*: $(head -c 300 ../err)" >&2; failures=$((failures 
 "$adit" sample in.lcmlog --length-m 4 >/dev/null || exit 1
 printf 'EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n' > in.g2o
 "$adit" scan sample --out scan.lcmlog >/dev/null || exit 1
+"$adit" export in.lcmlog --rosbag2 bag >/dev/null || exit 1
+mkdir clouds && "$adit" scan sample --out clouds/1700000000.ply >/dev/null || exit 1
+printf '1700000000 0 0 0 0 0 0 1\n' > poses.tum
+printf 'lasers: {rear: {T_body_laser: {x_m: -1}}}\n' > robot.yaml
 printf '0 0\n1 0\n' > in.txt
 cd ../work || exit 1
 
 # The same commands as in full_disk_test.sh, which compares them with adit --help.
 mapfile -t commands < <(sed -n "/^declare -A writes/,/^# Not here/p" "$here/full_disk_test.sh" |
-  grep -o "='[^']*'" | sed "s/^='//; s/'\$//; s| in_scan\.| ../in/scan.|g; s| in\.| ../in/in.|g" | sort -u)
+  grep -o "='[^']*'" | sed "s/^='//; s/'\$//; s| \(\.\./\)\?in_| ../in/|g; s| in\.| ../in/in.|g" | sort -u)
 ((${#commands[@]} > 10)) || { echo "FAILED: no commands" >&2; exit 1; }
 
 outputs() { find . -type f | sort; }

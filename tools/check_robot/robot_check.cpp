@@ -39,11 +39,11 @@ CheckResults check_robot(const RobotConfig& robot) {
   check_body(robot, results);
   check_lasers(robot, results);
   check_motion(robot, results);
-  construct(results, "guard", [&] { Guard{robot.guard}; });
-  construct(results, "driving", [&] { Driving{robot.driving}; });
+  construct(results, "guard", [&] { const Guard guard(robot.guard); });
+  construct(results, "driving", [&] { const Driving driving(robot.driving); });
   construct(results, "planning", [&] {
-    Planning{robot.planning};
-    CSpaceKernels{robot.vehicle, robot.planning.c_space, robot.terrain.cell_m};
+    const Planning planning(robot.planning);
+    const CSpaceKernels kernels(robot.vehicle, robot.planning.c_space, robot.terrain.cell_m);
   });
   return results;
 }

@@ -142,7 +142,7 @@ std::string change_table(const std::vector<ChangeRegion>& regions, const Eigen::
                    "{},{:.3f},{:.3f},{:.3f},{},{:.3f},{:.3f},{:.2f},{:.3f},{:.3f},{}\n", ++number,
                    p.x(), p.y(), p.z(), name_of(region.kind), region.mean_m, region.most_m,
                    region.area_m2, region.volume_m3, region.volume_sd_m3,
-                   '"' + region.meaning() + '"');
+                   std::string("\"").append(region.meaning()).append("\""));
   }
   return table;
 }

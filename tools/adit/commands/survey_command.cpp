@@ -177,7 +177,8 @@ void add_survey_command(CLI::App& adit) {
   command
       ->add_option("--water-level", options->water_level_m,
                    "Elevation of water [m]: what it floods, and what it spills over")
-      ->type_name("Z");
+      ->type_name("Z")
+      ->check(number_in(within(-10'000.0, 10'000.0)));
   command->require_subcommand(0, 1);
   add_compare_command(*command);
   command->callback([options, command] {

@@ -24,7 +24,7 @@ printf 'EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0 0 1 0 0 1 0 1\n' > in.g
 "$adit" export in.lcmlog --rosbag2 bag >/dev/null || exit 1
 mkdir clouds && "$adit" scan sample --out clouds/1700000000.ply >/dev/null || exit 1
 printf '1700000000 0 0 0 0 0 0 1\n' > poses.tum
-printf 'lasers: {rear: {T_body_laser: {x_m: -1}}}\n' > robot.yaml
+cp "$here/../../deploy/config/groundhog.yaml" robot.yaml
 printf '0 0\n1 0\n' > in.txt
 cd ../work || exit 1
 

@@ -8,6 +8,7 @@
 # compared with adit --help, so that a new one is added here.
 set -u
 adit=$1; shift
+here=$(dirname "$(readlink -f "$0")")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/work" && cd "$scratch/work" || exit 1
@@ -25,7 +26,7 @@ mkdir ../in_clouds && "$adit" scan sample --out ../in_clouds/1700000000.ply >/de
 printf '1700000000 0 0 0 0 0 0 1\n' > in_poses.tum
 printf '0 0\n1 0\n' > in.txt
 printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
-printf 'lasers: {rear: {T_body_laser: {x_m: -1}}}\n' > in_robot.yaml
+cp "$here/../../deploy/config/groundhog.yaml" in_robot.yaml
 mapfile -t inputs < <(ls)
 
 # Standard output: command lines that print a result.

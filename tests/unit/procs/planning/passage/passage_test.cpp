@@ -25,6 +25,16 @@ struct StraightOrBentTunnel {
   double width_m = 1.5;
   double heading_rad = 0.0;
   bool bent = false;
+  double edge_x_m = 1e3;  ///< from here on the left side is closed
+  double edge_y_m = 0.0;  ///< as far as this
+
+  /// Whether a point lies in what closes the left side, and how far from its surface.
+  [[nodiscard]] bool is_closed(const Eigen::Vector2d& p) const {
+    return p.x() >= edge_x_m && p.y() >= edge_y_m;
+  }
+  [[nodiscard]] bool is_edge(const Eigen::Vector2d& p) const {
+    return is_closed(p) && std::min(p.x() - edge_x_m, p.y() - edge_y_m) < kWallM;
+  }
 
   /// Offset of a point from the centre line, positive to the left [m].
   [[nodiscard]] double offset_m(const Eigen::Vector2d& p) const {
@@ -46,10 +56,11 @@ TerrainMap terrain_of_tunnel(const StraightOrBentTunnel& tunnel) {
     TerrainCell& cell = map.cells[i];
     cell.clearance_m = static_cast<float>(kNoLimit);
     for (int part = 0; part < CellParts::kCount; ++part) {
-      const double beside_m =
-          std::abs(tunnel.offset_m(corner + map.cell_m * CellParts::centre(part))) - half_m;
-      if (beside_m < kWallM) cell.ground = Ground::kObserved;
-      if (beside_m >= 0.0 && beside_m < kWallM)
+      const Eigen::Vector2d p = corner + map.cell_m * CellParts::centre(part);
+      const double beside_m = std::abs(tunnel.offset_m(p)) - half_m;
+      if (beside_m < kWallM && (!tunnel.is_closed(p) || tunnel.is_edge(p)))
+        cell.ground = Ground::kObserved;
+      if ((beside_m >= 0.0 && beside_m < kWallM) || (beside_m < 0.0 && tunnel.is_edge(p)))
         cell.obstacle_parts |= static_cast<std::uint16_t>(1U << static_cast<unsigned>(part));
     }
   }
@@ -64,12 +75,13 @@ TerrainMap terrain_of_tunnel(const StraightOrBentTunnel& tunnel) {
   return map;
 }
 
-PlannedPath plan_along(const StraightOrBentTunnel& tunnel, bool behind = false) {
+PlannedPath plan_along(const StraightOrBentTunnel& tunnel, bool behind = false,
+                       const PlanningParams& params = {}) {
   PlanGoal goal;
   goal.distance_m = 7.0;
   goal.T_odom_goal.theta = tunnel.heading_rad;
   const Pose2 robot{0.0, 0.0, wrap_angle(tunnel.heading_rad + (behind ? std::numbers::pi : 0.0))};
-  return Planning(PlanningParams{}).plan(terrain_of_tunnel(tunnel), goal, robot);
+  return Planning(params).plan(terrain_of_tunnel(tunnel), goal, robot);
 }
 
 /// Least distance of the body on the path to the true walls.
@@ -104,6 +116,29 @@ TEST(Passage, FollowsABend) {
   EXPECT_GT(path.reached_m, 4.0);
   // The body takes its length squared over eight radii of the width.
   EXPECT_GT(true_clearance_m(path, tunnel), 0.1 - 0.036 - 2.0 * kPartErrorM);
+}
+
+/// Past the corner of a car that stands 0.1 to 0.4 m in the lane of the robot, with room beside it:
+/// a path that the corner leaves no room for ends before it.
+TEST(Passage, KeepsADistanceFromACornerWhereThereIsRoom) {
+  const Eigen::Vector2d half = body_outline(Vehicle{}).half;
+  PlanningParams params;
+  params.search.expansions_max = 1;  // the lattice finds none
+  int past_the_corner = 0;
+  for (const double edge_x_m : {1.5, 1.7, 1.9, 2.2, 2.6}) {
+    for (const double edge_y_m : {0.2, 0.3, 0.4, 0.5}) {
+      const StraightOrBentTunnel tunnel{2.9, 0.0, false, edge_x_m, edge_y_m};
+      const PlannedPath path = plan_along(tunnel, false, params);
+      for (const PathPoint& point : path.points) {
+        const Eigen::Vector2d corner =
+            point.T_odom_body.inverse() * Eigen::Vector2d(edge_x_m, edge_y_m);
+        const Eigen::Vector2d apart = (corner.cwiseAbs() - half).cwiseMax(0.0);
+        EXPECT_GT(apart.norm(), 0.08 - 2.0 * kPartErrorM) << edge_x_m << ' ' << edge_y_m;
+        past_the_corner += corner.x() < 0.0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(past_the_corner, 0);
 }
 
 TEST(Passage, LeadsInReverseWithTheRear) {

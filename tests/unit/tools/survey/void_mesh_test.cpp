@@ -40,7 +40,7 @@ TEST(VoidMesh, IsOpenWhereNothingWasSeen) {
   const MeshCheck check = check_mesh(mesh_of(tunnel(false)));
   EXPECT_EQ(check.parts, 1U);
   EXPECT_EQ(check.crossed_edges, 0U);
-  EXPECT_EQ(check.border_loops, 2U);  // the ends
+  EXPECT_EQ(check.border_loops, 2U);            // the ends
   EXPECT_GT(check.border_m, 0.9 * 2.0 * 12.4);  // across corners between points
   EXPECT_LT(check.border_m, 3.0 * 2.0 * 12.4);  // it goes to and fro between the last vertices
   EXPECT_NEAR(check.area_m2, 8.0 * 12.4, 3.0);

@@ -181,10 +181,7 @@ BackOff Retracing::back_off(const TraversedPath& path, double distance_m,
 
 std::optional<BackOff> Retracing::withdrawal(const TraversedPath& path, double distance_m) {
   std::vector<Pose2> recent = path.recent(distance_m);
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < recent.size(); ++i)
-    length_m += (recent[i].translation() - recent[i - 1].translation()).norm();
-  if (length_m < kBackOffMinM) return std::nullopt;
+  if (length_of_path_m(recent) < kBackOffMinM) return std::nullopt;
   return BackOff{PlanGoal::Kind::kRetrace, distance_m, std::move(recent), std::nullopt};
 }
 

@@ -122,12 +122,14 @@ std::vector<Pose2> TraversedPath::recent(double length_m) const {
 }
 
 double TraversedPath::back_length_m(double length_m) const {
-  const std::vector<Pose2> path = back(length_m);
-  double path_length_m = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    path_length_m += (path[i].translation() - path[i - 1].translation()).norm();
-  }
-  return path_length_m;
+  return length_of_path_m(back(length_m));
+}
+
+double length_of_path_m(const std::vector<Pose2>& path) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    length_m += (path[i].translation() - path[i - 1].translation()).norm();
+  return length_m;
 }
 
 std::vector<Pose2> TraversedPath::poses_back_within(double distance_m) const {

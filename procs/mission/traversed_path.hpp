@@ -74,6 +74,9 @@ class TraversedPath {
   std::vector<Place> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
 };
 
+/// Length of the line through poses [m]. Turns on the spot have none.
+double length_of_path_m(const std::vector<Pose2>& path);
+
 /// A pose of the traversed path as it is stored on disk.
 struct StoredPathPose {
   std::int64_t odom_epoch_utime = 0;  ///< when its odom frame began [µs since the epoch]

@@ -14,6 +14,7 @@
 #include "common/bus/node/version.hpp"
 #include "common/text/base64.hpp"
 #include "tools/export/mcap_writer.hpp"
+#include "tools/export/replay_logs.hpp"
 #include "viewer/scene/scene.hpp"
 
 namespace adit {
@@ -23,7 +24,6 @@ constexpr std::int64_t kWritePeriodUs = 10'000;  // topics have longer periods, 
 // A topic of large messages (map, volume) is written as rarely as keeps it below this rate, and at
 // the end.
 constexpr double kTopicBytesPerUs = 0.1;
-constexpr std::size_t kEventsPerProgress = 10'000;
 
 McapWriter::Schema schema_of(const Topic& topic) {
   McapWriter::Schema schema{topic.schema_name, topic.schema_encoding, topic.schema};
@@ -102,19 +102,8 @@ McapExport export_mcap(const std::vector<std::filesystem::path>& given,
                        const std::function<void(double)>& progress) {
   const std::vector<std::filesystem::path> logs = in_order_of_time(given);
   SceneRecorder recorder(file, parameters);
-  std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    LogFile log(logs[i]);
-    std::size_t events = 0;
-    while (const auto event = log.next()) {
-      recorder.play(*event);
-      if (++events % kEventsPerProgress != 0) continue;
-      const double share = static_cast<double>(events) / static_cast<double>(log.size());
-      progress((static_cast<double>(i) + share) / static_cast<double>(logs.size()));
-    }
-    for (std::string& warning : damage_warnings(log.health(), logs[i].filename().string()))
-      warnings.push_back(std::move(warning));
-  }
+  std::vector<std::string> warnings =
+      replay_logs(logs, progress, [&](const LogEventView& event) { recorder.play(event); });
   McapExport result = recorder.close(logs);
   warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
   result.warnings = std::move(warnings);

@@ -24,6 +24,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
+#include "tools/export/replay_logs.hpp"
 #include "tools/export/ros2/occupancy_topic.hpp"
 #include "tools/export/ros2/ros2_messages.hpp"
 #include "tools/export/ros2/rosbag2_writer.hpp"
@@ -34,7 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kEventsPerProgress = 10'000;
 constexpr const char* kMap = "map";
 constexpr const char* kOdom = "odom";
 constexpr const char* kBody = "base_link";
@@ -226,17 +226,9 @@ Ros2Export export_ros2(const std::vector<fs::path>& given, const fs::path& folde
   Ros2Recorder recorder(bag, contents, parameters);
   Ros2Export result;
   result.warnings = contents.warnings;
-  for (std::size_t i = 0; i < logs.size(); ++i) {
-    LogFile log(logs[i]);
-    std::size_t events = 0;
-    while (const auto event = log.next()) {
-      recorder.play(*event);
-      if (++events % kEventsPerProgress != 0) continue;
-      const double share = static_cast<double>(events) / static_cast<double>(log.size());
-      progress((static_cast<double>(i) + share) / static_cast<double>(logs.size()));
-    }
-    for (std::string& warning : damage_warnings(log.health(), logs[i].filename().string()))
-      result.warnings.push_back(std::move(warning));
+  for (std::string& warning :
+       replay_logs(logs, progress, [&](const LogEventView& event) { recorder.play(event); })) {
+    result.warnings.push_back(std::move(warning));
   }
   recorder.finish(result.warnings);
   if (bag.messages() == 0) {

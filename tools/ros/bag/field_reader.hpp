@@ -11,6 +11,11 @@
 
 namespace adit {
 
+/// The bytes as text, which ends with them.
+inline std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
 /// Takes little-endian fields from bytes; after the end of the bytes every field is empty and `ok`
 /// is false.
 class FieldReader {

@@ -31,10 +31,6 @@ enum : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 /// The record at a place; nothing if none begins there. `fits`: whether it ends within the bytes;
 /// if not, it has what there is.
 std::optional<McapRecord> record_at(std::span<const std::uint8_t> bytes, std::size_t at,

@@ -28,10 +28,6 @@ enum : std::uint8_t {
   kConnection = 0x07,
 };
 
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 /// The value of a field in the header of a record; nothing if there is none, or if the header is no
 /// sequence of fields.
 std::optional<std::span<const std::uint8_t>> field(std::span<const std::uint8_t> header,

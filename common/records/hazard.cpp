@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "common/grid/grid2.hpp"
-
 namespace adit {
 namespace {
 
@@ -18,8 +16,9 @@ constexpr double kOxygenMinShare = 0.195;          // 30 CFR 75.321
 constexpr double kCarbonMonoxideMaxShare = 50e-6;  // 30 CFR 75.322
 constexpr double kSinkageMinM = 0.05;              // less is the tread of the wheels
 constexpr double kNearM = 1.0;                     // gap between observations of one hazard
+constexpr double kRoofReachM = 0.35;               // around a cell with a low roof
+constexpr int kRoofCellsMin = 4;                   // of low roof within that
 constexpr double kPlaceM = 3.0;                    // extent of what is measured at the robot
-constexpr double kAreaMinM2 = 0.5;                 // of ground without returns and of low roof
 
 /// What of a blocking cell is known, in words and with its unit.
 struct CellHazard {
@@ -27,7 +26,8 @@ struct CellHazard {
   const char* unit;
 };
 
-/// Nothing is said of cells that were not observed.
+/// Nothing is said of cells whose ground was not observed: that beams passed over it or had no
+/// return has more causes than a drop and water (see terrain_hazards.hpp).
 std::optional<CellHazard> hazard_of(BlockingCell::Reason reason) {
   using Reason = BlockingCell::Reason;
   switch (reason) {
@@ -36,69 +36,33 @@ std::optional<CellHazard> hazard_of(BlockingCell::Reason reason) {
       return CellHazard{"step", "m"};
     case Reason::kRoof:
       return CellHazard{"low roof", "m"};
-    case Reason::kWater:
-      return CellHazard{"water", ""};
     case Reason::kSlope:
       return CellHazard{"slope", "m"};
+    case Reason::kWater:
     case Reason::kDrop:
-      return CellHazard{"possible drop", ""};  // its ground was not seen
     case Reason::kUnknown:
       break;
   }
   return std::nullopt;
 }
 
-/// Whether so little room above the ground is left by a roof, rather than by an obstacle on the
-/// ground or by a rib that overhangs: those begin below the belly, or below what passes for ground
-/// (negative).
-bool is_above_belly(double clearance_m, const Vehicle& vehicle) {
-  return clearance_m >= vehicle.belly_clearance_m;
+/// Whether a cell shows a low roof, rather than a rib or the wall that leans over its foot: those
+/// are a cell or two wide.
+bool is_low_roof(const BlockingCell& cell, const PlannedPath& path, const Vehicle& vehicle) {
+  if (!is_above_belly(cell.height_m, vehicle)) return false;
+  const auto alike =
+      std::count_if(path.blocking.begin(), path.blocking.end(), [&](const BlockingCell& other) {
+        return other.reason == BlockingCell::Reason::kRoof &&
+               is_above_belly(other.height_m, vehicle) &&
+               (other.p_odom - cell.p_odom).norm() < kRoofReachM;
+      });
+  return alike >= kRoofCellsMin;
 }
 
 /// The worse of two values: the lower roof, otherwise the larger value.
 double worse(const std::string& kind, double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b)) return std::isfinite(a) ? a : b;
   return kind == "low roof" || kind == "oxygen" ? std::min(a, b) : std::max(a, b);
-}
-
-/// Cells of a terrain map that touch each other.
-struct Region {
-  CellBox box;
-  std::size_t cells = 0;
-  double clearance_m = std::numeric_limits<double>::infinity();  ///< the smallest
-};
-
-/// Regions of the cells for which `is_part` holds, by flood fill.
-template <class IsPart>
-std::vector<Region> regions_of(const TerrainMap& terrain, IsPart is_part) {
-  Grid2<std::uint8_t> seen(terrain.cells.box());
-  std::vector<Region> regions;
-  std::vector<Eigen::Vector2i> open;
-  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
-    if (seen[i] != 0 || !is_part(terrain.cells[i])) continue;
-    Region region;
-    seen[i] = 1;
-    open.push_back(terrain.cells.cell(i));
-    while (!open.empty()) {
-      const Eigen::Vector2i cell = open.back();
-      open.pop_back();
-      region.box = united(region.box, cell);
-      ++region.cells;
-      const double clearance_m = terrain.cells.at(cell).clearance_m;
-      if (std::isfinite(clearance_m))
-        region.clearance_m = std::min(region.clearance_m, clearance_m);
-      for (const auto& step : {Eigen::Vector2i(1, 0), Eigen::Vector2i(-1, 0), Eigen::Vector2i(0, 1),
-                               Eigen::Vector2i(0, -1)}) {
-        const Eigen::Vector2i next = cell + step;
-        if (!terrain.cells.contains(next) || seen.at(next) != 0 || !is_part(terrain.cells.at(next)))
-          continue;
-        seen.at(next) = 1;
-        open.push_back(next);
-      }
-    }
-    regions.push_back(region);
-  }
-  return regions;
 }
 
 }  // namespace
@@ -128,8 +92,7 @@ std::vector<Hazard> hazards_of(const PlannedPath& path, double z_m, const Vehicl
   for (const BlockingCell& cell : path.blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
-    if (cell.reason == BlockingCell::Reason::kRoof && !is_above_belly(cell.height_m, vehicle))
-      continue;
+    if (cell.reason == BlockingCell::Reason::kRoof && !is_low_roof(cell, path, vehicle)) continue;
     hazards.push_back({hazard->kind,
                        cell.height_m,
                        hazard->unit,
@@ -138,42 +101,6 @@ std::vector<Hazard> hazards_of(const PlannedPath& path, double z_m, const Vehicl
                        {{cell.p_odom.x(), cell.p_odom.y(), 0.0}, z_m},
                        Eigen::Vector2d::Constant(0.1)});
   }
-  return hazards;
-}
-
-std::vector<Hazard> hazards_of(const TerrainMap& terrain, int number, double z_m,
-                               const Vehicle& vehicle) {
-  const double cell_area_m2 = terrain.cell_m * terrain.cell_m;
-  std::vector<Hazard> hazards;
-  const auto add_regions = [&](const char* kind, const std::vector<Region>& regions, bool is_roof,
-                               const char* evidence) {
-    for (const Region& region : regions) {
-      const double area_m2 = static_cast<double>(region.cells) * cell_area_m2;
-      if (area_m2 < kAreaMinM2) continue;
-      const Eigen::Vector2d size_m = terrain.cell_m * region.box.size().cast<double>();
-      const Eigen::Vector2d p_level =
-          terrain.p_level_corner + terrain.cell_m * region.box.from.cast<double>() + 0.5 * size_m;
-      const bool roof = is_roof && std::isfinite(region.clearance_m);
-      hazards.push_back(
-          {kind, roof ? region.clearance_m : area_m2, roof ? "m" : "m²",
-           fmt::format("3D scan {}: {} over {:.1f} m²", number, evidence, area_m2), terrain.utime,
-           LevelPose{terrain.T_odom_level, z_m} * LevelPose{{p_level.x(), p_level.y(), 0.0}, 0.0},
-           size_m});
-    }
-  };
-  add_regions(
-      "water",
-      regions_of(terrain, [](const TerrainCell& cell) { return cell.ground == Ground::kNoReturn; }),
-      false, "no return from the ground, as from water,");
-  add_regions("low roof",
-              regions_of(terrain,
-                         [&vehicle](const TerrainCell& cell) {
-                           return cell.ground == Ground::kObserved &&
-                                  is_above_belly(cell.clearance_m, vehicle) &&
-                                  cell.clearance_m < static_cast<float>(vehicle.height_m) &&
-                                  cell.coefficient_m < static_cast<float>(vehicle.step_max_m);
-                         }),
-              true, "roof lower than the vehicle");
   return hazards;
 }
 

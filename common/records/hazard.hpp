@@ -13,15 +13,13 @@
 #include "common/geometry/level_pose.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 #include "common/types/planned_path.hpp"
-#include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
 
 namespace adit {
 
 /// A place that endangers or blocks the robot, as it was observed.
 struct Hazard {
-  std::string
-      kind;  ///< "water", "low roof", "step", "slope", "possible drop", "mud", "methane", ..
+  std::string kind;  ///< "water", "low roof", "step", "slope", "drop", "mud", "methane", ..
   double value = 0.0;
   std::string unit;  ///< of the value; empty: the value means nothing
   std::string evidence;
@@ -37,11 +35,15 @@ inline constexpr std::size_t kHazardsMax = 1000;
 std::vector<Hazard> hazards_of(const GasReading& reading, const LevelPose& T_odom_body);
 /// Deep sinkage of the wheels, at the robot.
 std::vector<Hazard> hazards_of(const SinkageReading& reading, const LevelPose& T_odom_body);
-/// Cells that block a path: steps, low roof, water, drops, slopes. `z_m`: height of odom there.
+/// Cells that block a path: steps, low roof, slopes. `z_m`: height of odom there.
 std::vector<Hazard> hazards_of(const PlannedPath& path, double z_m, const Vehicle& vehicle);
-/// Ground without returns, and roof too low for the vehicle, of the 3D scan `number`.
-std::vector<Hazard> hazards_of(const TerrainMap& terrain, int number, double z_m,
-                               const Vehicle& vehicle);
+
+/// Whether so little room above the ground is left by a roof, rather than by an obstacle on the
+/// ground or by a rib that overhangs: those begin below the belly, or below what passes for ground
+/// (negative).
+inline bool is_above_belly(double clearance_m, const Vehicle& vehicle) {
+  return clearance_m >= vehicle.belly_clearance_m;
+}
 
 /// Joins a hazard with an observation of its kind that it touches, at a pose relative to it.
 /// Returns the shift of its centre, or nothing if they are apart or of different kinds.

@@ -23,6 +23,8 @@ class SurveyTruth {
   /// without it survey and world are compared at the start of the mission.
   explicit SurveyTruth(const MineSurvey& survey, const std::optional<LevelPose>& T_grid_world = {});
 
+  [[nodiscard]] const World& world() const { return site_.world(); }
+  [[nodiscard]] const RayScene& scene() const { return site_.scene(); }
   [[nodiscard]] const LevelPose& T_world_survey() const { return T_world_survey_; }
   /// T_world_survey by the true pose of a local map: what is measured from there is placed without
   /// the error of the graph. Nothing without TRUTH at its time.

@@ -10,6 +10,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
+#include "common/records/terrain_hazards.hpp"
 
 namespace adit {
 namespace {

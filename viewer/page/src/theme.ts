@@ -6,7 +6,7 @@ import { byId, setText } from "./dom";
 const kPhases = new Set(["waiting", "explore", "scan", "plan", "execute", "paused", "ended"]);
 const kStateColours: Record<string, string> = { open: "open", explored: "done", blocked: "blocked", "too narrow": "blocked" };
 const kHazardColours: Record<string, string> = {
-  water: "water", mud: "water", methane: "gas", oxygen: "gas", "carbon monoxide": "gas", gas: "gas", "possible drop": "drop",
+  water: "water", mud: "water", methane: "gas", oxygen: "gas", "carbon monoxide": "gas", gas: "gas", "drop": "drop",
 };
 
 let cache = new Map<string, string>();

@@ -10,6 +10,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/sensing.hpp"
+#include "common/records/terrain_hazards.hpp"
 #include "common/sensing/seconds.hpp"
 #include "viewer/scene/foxglove_values.hpp"
 #include "viewer/scene/topic_schema.hpp"

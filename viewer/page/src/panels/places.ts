@@ -12,7 +12,7 @@ export type Centre = (x: number, y: number) => void;
 const kNearTrajectory_m = 15;
 const kOnTrajectory_m = 2.5;
 /** What ends the exploration of a mine comes first. */
-const kHazardOrder = ["water", "methane", "oxygen", "carbon monoxide", "gas", "fall", "possible drop", "mud", "low roof"];
+const kHazardOrder = ["water", "methane", "oxygen", "carbon monoxide", "gas", "fall", "drop", "mud", "low roof"];
 const kStateOrder = ["open", "blocked", "too narrow", ...kFrontierStates];
 
 function rank(order: string[], value: string): number {

@@ -110,7 +110,7 @@ function frontiers(t: number): object {
 }
 
 function hazards(): object {
-  const places: [string, string, string, number, number, number][] = [["water", "0.45", "m", 106, 0, 4], ["low roof", "1.35", "m", 60, 15, 2], ["gas", "1.2", "% CH4", 80, 0.5, 3], ["possible drop", "", "", 60, 27, 1.5]];
+  const places: [string, string, string, number, number, number][] = [["water", "0.45", "m", 106, 0, 4], ["low roof", "1.35", "m", 60, 15, 2], ["gas", "1.2", "% CH4", 80, 0.5, 3], ["drop", "", "", 60, 27, 1.5]];
   return { entities: places.map(([kind, value, unit, x, y, size]) => ({
     id: `${kind} ${x}`, frame_id: "map", metadata: metadata({ kind, value, unit, evidence: "3D scan 5, 212 points", time_s: String(kStart_s + 95) }),
     cubes: [{ pose: { position: { x, y, z: 0 }, orientation: { w: 1 } }, size: { x: size, y: size, z: 0.5 } }], texts: [{ pose: { position: { x, y, z: 0 } }, text: kind }] })) };

@@ -14,5 +14,5 @@ export const kLayers: Layer[] = [
 export const kLegend: [colour: string, meaning: string][] = [
   ["wall", "wall"], ["free", "free"], ...kCoverage,
   ["open", "frontier open"], ["done", "frontier explored"], ["blocked", "frontier blocked or too narrow"], ["soft", "frontier of another state"],
-  ["water", "water, mud"], ["gas", "gas"], ["drop", "possible drop"], ["hazard", "other hazard"],
+  ["water", "water, mud"], ["gas", "gas"], ["drop", "drop"], ["hazard", "other hazard"],
 ];

@@ -17,6 +17,7 @@ using Reason = MatchDoubt::Reason;
 
 constexpr double kAlternativesMargin = 0.15;  // alternatives within this score are told
 constexpr std::size_t kAlternativesMax = 5;
+constexpr double kIntervalShare = 0.1;  // weight of a new interval in the running mean
 
 bool is_near(const Pose2& a, const Pose2& b, double distance_m, double angle_rad) {
   const Pose2 apart = between(a, b);
@@ -34,8 +35,11 @@ std::optional<MatchDoubt> ChainDoubt::judge(const ScanMatch& match, const Motion
                                             const PoseSearchResult& found) {
   add_unobserved(match);
   add_unlocated(match);
+  const bool after_gap = is_gap(match, expected);
+  add_interval(match, expected);
   std::vector<Alternative> others = distinct(expected, found);
-  const std::optional<Reason> why = reason(match, expected, found, others);
+  std::optional<Reason> why = reason(match, expected, found, others);
+  if (!why && after_gap) why = Reason::kLost;
   const std::int64_t from_utime = why == Reason::kDegenerate ? unobserved_from_utime_
                                   : why == Reason::kLost     ? located_utime_
                                                              : match.reference_utime;
@@ -96,6 +100,27 @@ std::vector<Alternative> ChainDoubt::distinct(const MotionEstimate& expected,
     if (others.size() == kAlternativesMax) break;
   }
   return others;
+}
+
+/// Whether nothing measured a motion for much longer than between other scans: however good, one
+/// match is no evidence that it is not another place that looks alike. A body that is where it was
+/// stood.
+bool ChainDoubt::is_gap(const ScanMatch& match, const MotionEstimate& expected) const {
+  if (expected.from_odometry || interval_s_ == 0.0) return false;
+  const auto moved_m = [&](const Pose2& T_odom_body) {
+    return between(expected.T_odom_last, T_odom_body).translation().norm();
+  };
+  return expected.unmeasured_s > params_.gap_intervals * interval_s_ &&
+         std::max(moved_m(match.T_odom_body), moved_m(expected.prior.T_odom_body)) >
+             params_.gap_moved_max_m;
+}
+
+/// Of steps without wheels. One gap must not make the next ones usual.
+void ChainDoubt::add_interval(const ScanMatch& match, const MotionEstimate& expected) {
+  if (match.status == ScanMatch::Status::kLost || expected.unmeasured_s <= 0.0) return;
+  if (interval_s_ == 0.0) interval_s_ = expected.unmeasured_s;
+  const double bounded_s = std::min(expected.unmeasured_s, 2.0 * interval_s_);
+  interval_s_ += kIntervalShare * (bounded_s - interval_s_);
 }
 
 void ChainDoubt::add_unlocated(const ScanMatch& match) {

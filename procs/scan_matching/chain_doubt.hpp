@@ -25,6 +25,10 @@ struct ChainDoubtParams {
   double unobserved_max_m = 1.0;       ///< path length with an unobserved direction
   double unlocated_max_m = 5.0;        ///< path length by the wheels alone, of lost scans or none
   double contradicted_sigmas = 10.0;   ///< between a poor match and the sensors
+  /// Without wheels: a gap between scans that is so many times longer than usual, and during which
+  /// the body moved farther, is bridged by one match alone.
+  double gap_intervals = 10.0;
+  double gap_moved_max_m = 0.5;
 
   template <class V>
   void visit(V& v) {
@@ -38,6 +42,8 @@ struct ChainDoubtParams {
     v("unobserved_max_m", unobserved_max_m, above(0.0));
     v("unlocated_max_m", unlocated_max_m, above(0.0));
     v("contradicted_sigmas", contradicted_sigmas, above(0.0));
+    v("gap_intervals", gap_intervals, above(1.0));
+    v("gap_moved_max_m", gap_moved_max_m, above(0.0));
   }
 };
 
@@ -65,12 +71,15 @@ class ChainDoubt {
       const std::vector<MatchDoubt::Alternative>& others) const;
   [[nodiscard]] std::vector<MatchDoubt::Alternative> distinct(const MotionEstimate& expected,
                                                               const PoseSearchResult& found) const;
+  [[nodiscard]] bool is_gap(const ScanMatch& match, const MotionEstimate& expected) const;
+  void add_interval(const ScanMatch& match, const MotionEstimate& expected);
   void add_unobserved(const ScanMatch& match);
   void add_unlocated(const ScanMatch& match);
 
   ChainDoubtParams params_;
   std::int64_t located_utime_ = 0;          ///< of the last scan that was located
   double unlocated_m_ = 0.0;                ///< path length since then
+  double interval_s_ = 0.0;                 ///< between scans that were located, on average
   double unobserved_m_ = 0.0;               ///< path length of the current stretch,
   std::int64_t unobserved_from_utime_ = 0;  ///< and its beginning
 };

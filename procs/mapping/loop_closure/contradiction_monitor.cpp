@@ -15,6 +15,8 @@ constexpr double kMovedRad = 0.02;
 
 constexpr double kOneHeightM = 0.5;
 
+constexpr std::size_t kComparedMax = 24;  // older maps
+
 /// Whether all walls were observed at about one height.
 bool is_level(const LocalWalls& walls) {
   const auto [lowest, highest] = std::ranges::minmax_element(walls.points, {}, &SurfacePoint::z_m);
@@ -46,7 +48,6 @@ void ContradictionMonitor::update(const WallStore& walls, std::span<const MapExt
   for (std::size_t i = 0; i < compared_at_.size(); ++i) {
     moved[i] = compared_at_[i] != T_map_local[i] && has_moved(compared_at_[i], T_map_local[i], 0.5);
   }
-  const std::size_t first_new = compared_at_.size();
   compared_at_.resize(T_map_local.size());
   compared_.resize(T_map_local.size());
   for (std::size_t i = is_level_.size(); i < walls.size(); ++i) {
@@ -60,13 +61,10 @@ void ContradictionMonitor::update(const WallStore& walls, std::span<const MapExt
     if (moved[i]) moved_ids.push_back(i);
   }
   for (const std::size_t newer : all_ids) {
-    for (const std::size_t older : moved[newer] ? all_ids : moved_ids) {
-      if (older >= newer) break;
-      const double reach_m = extents[older].reach_m() + extents[newer].reach_m();
-      const Eigen::Vector2d apart =
-          T_map_local[older].translation() - T_map_local[newer].translation();
-      const bool is_far = apart.squaredNorm() > reach_m * reach_m;
-      if (is_far && newer >= first_new) continue;
+    const std::vector<std::size_t> pairs = moved[newer]
+                                               ? nearest_older(newer, all_ids, extents, T_map_local)
+                                               : moved_older(newer, moved_ids);
+    for (const std::size_t older : pairs) {
       compare(older, newer, walls, extents, between(T_map_local[older], T_map_local[newer]),
               walls_around);
     }
@@ -80,6 +78,52 @@ void ContradictionMonitor::update(const WallStore& walls, std::span<const MapExt
     if (!same_level(older, newer, suspicion.T_older_newer)) continue;
     contradictions_.push_back({older, newer, suspicion.evidence});
   }
+}
+
+/// Those that may overlap, nearest first, at most kComparedMax: where a place was passed more
+/// often, the others say the same. Forgets the comparisons with all others.
+std::vector<std::size_t> ContradictionMonitor::nearest_older(std::size_t newer,
+                                                             std::span<const std::size_t> all,
+                                                             std::span<const MapExtent> extents,
+                                                             std::span<const Pose2> T_map_local) {
+  std::vector<std::pair<double, std::size_t>> by_distance;
+  for (const std::size_t older : all) {
+    if (older >= newer) break;
+    const double reach_m = extents[older].reach_m() + extents[newer].reach_m();
+    const Eigen::Vector2d apart =
+        T_map_local[older].translation() - T_map_local[newer].translation();
+    if (apart.squaredNorm() > reach_m * reach_m) continue;
+    const Pose2 T_older_newer = between(T_map_local[older], T_map_local[newer]);
+    if (may_overlap(extents[older], extents[newer], T_older_newer))
+      by_distance.emplace_back(apart.norm(), older);
+  }
+  const std::size_t count = std::min(by_distance.size(), kComparedMax);
+  std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count),
+                    by_distance.end());
+  by_distance.resize(count);
+  std::vector<std::size_t> nearest;
+  for (const auto& [distance_m, older] : by_distance) nearest.push_back(older);
+  std::ranges::sort(nearest);
+  std::erase_if(compared_[newer], [&](const Compared& pair) {
+    const bool is_kept = std::ranges::binary_search(nearest, static_cast<std::size_t>(pair.older));
+    if (!is_kept) suspected_.erase({static_cast<int>(newer), pair.older});
+    return !is_kept;
+  });
+  return nearest;
+}
+
+/// Those that have moved: all that were compared, and others while there are few.
+std::vector<std::size_t> ContradictionMonitor::moved_older(
+    std::size_t newer, std::span<const std::size_t> moved) const {
+  const std::vector<Compared>& compared = compared_[newer];
+  std::vector<std::size_t> older;
+  for (const std::size_t map : moved) {
+    if (map >= newer) break;
+    const bool is_known =
+        std::ranges::binary_search(compared, static_cast<std::int32_t>(map), {}, &Compared::older);
+    if (is_known || compared.size() < kComparedMax) older.push_back(map);
+  }
+  return older;
 }
 
 void ContradictionMonitor::compare(std::size_t older, std::size_t newer, const WallStore& walls,

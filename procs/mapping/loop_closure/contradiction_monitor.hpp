@@ -23,9 +23,10 @@ namespace adit {
 /// The likelihood of the map where local maps overlap (paper, section 2.3), with and without loop
 /// closures between them: of all pairs, those of which one has walls where the other observed free
 /// space. A pair is compared again when its relative pose has changed by more than 0.1 m or
-/// 0.02 rad, so that the cost follows from what changed. Only local maps whose walls were observed
-/// at one height take part: where the body pitches and rolls, right maps show different sections of
-/// rough walls, ground and roof.
+/// 0.02 rad, so that the cost follows from what changed; a local map with the 24 nearest older ones
+/// that it overlaps, so that it does not grow with the number of times a place is passed. Only
+/// local maps whose walls were observed at one height take part: where the body pitches and rolls,
+/// right maps show different sections of rough walls, ground and roof.
 class ContradictionMonitor {
  public:
   /// Whether two local maps may show the same ground at T_older_newer.
@@ -60,6 +61,12 @@ class ContradictionMonitor {
     double evidence = 0.0;
   };
 
+  [[nodiscard]] std::vector<std::size_t> nearest_older(std::size_t newer,
+                                                       std::span<const std::size_t> all,
+                                                       std::span<const MapExtent> extents,
+                                                       std::span<const Pose2> T_map_local);
+  [[nodiscard]] std::vector<std::size_t> moved_older(std::size_t newer,
+                                                     std::span<const std::size_t> moved) const;
   void compare(std::size_t older, std::size_t newer, const WallStore& walls,
                std::span<const MapExtent> extents, const Pose2& T_older_newer,
                const WallsAround& walls_around);

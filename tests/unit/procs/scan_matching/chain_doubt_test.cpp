@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_matching/chain_doubt.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -120,6 +121,42 @@ TEST_F(ChainDoubtTest, DoubtsAPoorMatchFarFromTheWheels) {
   expect_sure();  // a good match: the wheels slip
   found_.best.score = 0.5;
   expect_doubt(Reason::kContradicted);
+}
+
+/// Scans each 0.1 s, then none for 5 s.
+TEST_F(ChainDoubtTest, DoubtsAMatchAfterAGapInWhichTheBodyMoved) {
+  const auto see = [this](double after_s, double moved_m) {
+    match_.reference_utime = match_.utime;
+    match_.utime += std::llround(after_s * kSecond);
+    expected_.unmeasured_s = after_s;
+    expected_.T_odom_last = match_.T_odom_body;
+    match_.T_odom_body.x += moved_m;
+    expected_.prior.T_odom_body = match_.T_odom_body;
+  };
+  for (int i = 0; i < 50; ++i) {
+    see(0.1, 0.04);
+    expect_sure();
+  }
+  see(5.0, 0.02);
+  expect_sure();  // it stood
+  see(0.1, 0.04);
+  expect_sure();
+  see(5.0, 2.0);
+  expect_doubt(Reason::kLost);
+  see(5.0, 2.0);
+  expected_.from_odometry = true;
+  expect_sure();
+}
+
+TEST_F(ChainDoubtTest, TakesSparseScansForUsual) {
+  for (int i = 0; i < 20; ++i) {
+    match_.reference_utime = match_.utime;
+    match_.utime += 4 * kSecond;
+    expected_.T_odom_last = match_.T_odom_body;
+    match_.T_odom_body.x += 2.0;
+    expected_.prior.T_odom_body = match_.T_odom_body;
+    expect_sure();
+  }
 }
 
 TEST_F(ChainDoubtTest, DoubtsAMetreOfUnobservedMotion) {

@@ -76,6 +76,24 @@ TEST_F(ContradictionMonitorTest, LeavesOutMapsOfDifferentLevels) {
   EXPECT_TRUE(update(turned(std::numbers::pi / 2.0)).empty());
 }
 
+/// A place that was passed forty times; the newest map is turned.
+TEST_F(ContradictionMonitorTest, ComparesWithTheNearestOfManyPasses) {
+  const test::WallWorld mine = test::sample_mine(3);
+  for (int i = 0; i < 40; ++i) {
+    truth_.push_back({5.0 + 0.2 * i, 0.0, 0.0});
+    walls_.push_back(test::walls_of(mine, truth_.back(), 5.0, walls_.size() + 1));
+    extents_.emplace_back(walls_.back());
+  }
+  EXPECT_TRUE(update(truth_).empty());
+  std::vector<Pose2> poses = truth_;
+  poses.back().theta = std::numbers::pi / 2.0;
+  const auto found = update(poses);
+  EXPECT_GE(found.size(), 10U);
+  EXPECT_LE(found.size(), 24U) << "as ContradictionMonitor states";
+  for (const MapContradiction& pair : found) EXPECT_EQ(pair.newer_map, 45);
+  EXPECT_TRUE(update(truth_).empty());
+}
+
 /// Ground and roof are taken for walls where the body pitches.
 TEST_F(ContradictionMonitorTest, LeavesOutMapsWithWallsAtDifferentHeights) {
   for (LocalWalls& walls : walls_) {

@@ -52,6 +52,13 @@ std::string bytes_in(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// Whether a journal is the intact one as it was earlier: space that is reserved is zero.
+bool is_older(const std::string& bytes, const std::string& intact) {
+  const auto [at, at_intact] =
+      std::mismatch(bytes.begin(), bytes.end(), intact.begin(), intact.end());
+  return std::all_of(at, bytes.end(), [](char byte) { return byte == 0; });
+}
+
 std::optional<NewestPose> newest_pose(StoredMap stored) {
   if (stored.maps.empty()) return std::nullopt;
   const bool end_lost = stored.losses.end;
@@ -135,7 +142,9 @@ DamagedCase DamagedStages::run(unsigned seed) {
   for (const fs::path& path : {journal, copy})
     fs::copy_file(intact.journal, path, fs::copy_options::overwrite_existing);
   apply(result.damage, journal, random);
-  if (bytes_in(journal) == intact.bytes && bytes_in(copy) == intact.bytes) return result;
+  const std::string damaged = bytes_in(journal);
+  const std::string damaged_copy = bytes_in(copy);
+  if (damaged == intact.bytes && damaged_copy == intact.bytes) return result;
 
   std::optional<StoredMap> map;
   try {
@@ -153,10 +162,9 @@ DamagedCase DamagedStages::run(unsigned seed) {
     return result;
   }
   const bool same = records_in(journal) == intact.records;
-  const bool both = result.damage.files == JournalDamage::Files::kBoth;
   if (same) {
     result.outcome = DamageOutcome::kRight;
-  } else if (both && result.damage.action == JournalDamage::Action::kTruncate) {
+  } else if (is_older(damaged, intact.bytes) && is_older(damaged_copy, intact.bytes)) {
     result.outcome = DamageOutcome::kOlder;
   } else {
     const bool named = !map || names_all_losses(*map, *intact.map);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,7 @@ constexpr double kSinkageMinM = 0.05;              // less is the tread of the w
 constexpr double kNearM = 1.0;                     // gap between observations of one hazard
 constexpr double kRoofReachM = 0.35;               // around a cell with a low roof
 constexpr int kRoofCellsMin = 4;                   // of low roof within that
+constexpr std::size_t kBlockingCellsMax = 3000;    // planning sends fewer
 constexpr double kPlaceM = 3.0;                    // extent of what is measured at the robot
 
 /// What of a blocking cell is known, in words and with its unit.
@@ -48,10 +50,11 @@ std::optional<CellHazard> hazard_of(BlockingCell::Reason reason) {
 
 /// Whether a cell shows a low roof, rather than a rib or the wall that leans over its foot: those
 /// are a cell or two wide.
-bool is_low_roof(const BlockingCell& cell, const PlannedPath& path, const Vehicle& vehicle) {
+bool is_low_roof(const BlockingCell& cell, std::span<const BlockingCell> blocking,
+                 const Vehicle& vehicle) {
   if (!is_above_belly(cell.height_m, vehicle)) return false;
   const auto alike =
-      std::count_if(path.blocking.begin(), path.blocking.end(), [&](const BlockingCell& other) {
+      std::count_if(blocking.begin(), blocking.end(), [&](const BlockingCell& other) {
         return other.reason == BlockingCell::Reason::kRoof &&
                is_above_belly(other.height_m, vehicle) &&
                (other.p_odom - cell.p_odom).norm() < kRoofReachM;
@@ -89,10 +92,13 @@ std::vector<Hazard> hazards_of(const SinkageReading& reading, const LevelPose& T
 
 std::vector<Hazard> hazards_of(const PlannedPath& path, double z_m, const Vehicle& vehicle) {
   std::vector<Hazard> hazards;
-  for (const BlockingCell& cell : path.blocking) {
+  const auto blocking =
+      std::span(path.blocking).first(std::min(path.blocking.size(), kBlockingCellsMax));
+  for (const BlockingCell& cell : blocking) {
     const auto hazard = hazard_of(cell.reason);
     if (!hazard) continue;
-    if (cell.reason == BlockingCell::Reason::kRoof && !is_low_roof(cell, path, vehicle)) continue;
+    if (cell.reason == BlockingCell::Reason::kRoof && !is_low_roof(cell, blocking, vehicle))
+      continue;
     hazards.push_back({hazard->kind,
                        cell.height_m,
                        hazard->unit,

@@ -30,7 +30,7 @@ std::string text_of(const MapLosses& losses) {
   if (!losses.local_maps.empty()) parts.push_back(maps_text(losses.local_maps) + " lost");
   if (losses.end) parts.emplace_back("the end of the map lost, an unknown number of local maps");
   if (!losses.shortened.empty())
-    parts.push_back(maps_text(losses.shortened) + " without the last scans");
+    parts.push_back(maps_text(losses.shortened) + " without some scans");
   if (losses.loop_closures > 0)
     parts.push_back(fmt::format("decisions on loop closures lost: {}", losses.loop_closures));
   return fmt::format("{}", fmt::join(parts, ", "));

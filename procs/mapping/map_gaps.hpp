@@ -14,7 +14,7 @@ namespace adit {
 /// What a damaged journal has lost of a map.
 struct MapLosses {
   std::vector<int> local_maps;  ///< ids; an empty local map is in the place of each
-  std::vector<int> shortened;   ///< ids of local maps without their last scans, up to 0.3 m
+  std::vector<int> shortened;   ///< ids of local maps without some of their scans
   int loop_closures = 0;        ///< decisions on loop closures
   bool end = false;             ///< an unknown number of local maps at the end
 

@@ -54,10 +54,12 @@ class Collector {
     auto map = assembler_.add(*fragment);
     if (!map || map->id < next_id()) return;
     fill_gap(map->id, &*map);
+    std::erase(stored_.losses.shortened, map->id);  // the whole map is stored after its parts
     append(std::move(*map));
   }
 
-  /// A part after a lost one is discarded.
+  /// Each part has the place of its scans in odom, so that those after a lost one are used: where
+  /// the robot was last must not be lost with it.
   void add_part(std::span<const std::uint8_t> bytes) {
     const auto message = decode<local_map_t>(bytes);
     if (!message) return;
@@ -65,16 +67,24 @@ class Collector {
     if (!decoded || decoded->part.id < next_id()) return;
     LocalMapFragment read = *decoded;
     fill_gap(read.part.id, &read.part);
-    if (read.fragment == 0) {
+    const bool continues =
+        read.fragment > 0 && stored_.unfinished && read.part.utime == stored_.unfinished->utime;
+    if (continues && read.fragment < parts_) return;
+    const int expected = continues ? parts_ : 0;
+    if (read.fragment > expected) add_shortened(read.part.id);
+    parts_ = read.fragment + 1;
+    if (!continues) {
       stored_.unfinished = std::move(read.part);
-      parts_ = 1;
-    } else if (stored_.unfinished && read.fragment == parts_ &&
-               read.part.utime == stored_.unfinished->utime) {
-      LocalMap& map = *stored_.unfinished;
-      map.end_utime = read.part.end_utime;
-      std::move(read.part.scans.begin(), read.part.scans.end(), std::back_inserter(map.scans));
-      ++parts_;
+      return;
     }
+    LocalMap& map = *stored_.unfinished;
+    map.end_utime = read.part.end_utime;
+    std::move(read.part.scans.begin(), read.part.scans.end(), std::back_inserter(map.scans));
+  }
+
+  void add_shortened(int id) {
+    std::vector<int>& shortened = stored_.losses.shortened;
+    if (std::ranges::find(shortened, id) == shortened.end()) shortened.push_back(id);
   }
 
   /// Without those after a lost one, whose numbers would not be theirs.
@@ -107,7 +117,7 @@ class Collector {
   /// one takes its place, an empty local map that of each other.
   void fill_gap(int id, const LocalMap* next) {
     if (next_id() < id && stored_.unfinished) {
-      stored_.losses.shortened.push_back(stored_.unfinished->id);
+      add_shortened(stored_.unfinished->id);
       append(std::move(*stored_.unfinished));
     }
     while (next_id() < id) append_empty(next);

@@ -35,6 +35,7 @@ constexpr double kResumedMaxS = 900;  // simulated time after the interruption
 struct Options {
   int cases = 10'000;
   int missions = 200;
+  int first = 0;  // number of the first mission
   unsigned seed = 1;
   double length_m = 60.0;
   bool show = false;  // each case
@@ -113,10 +114,10 @@ int run_missions(const Options& options, const fs::path& folder) {
                "|---|---|---|---|---|---|\n";
   std::map<std::string, int> counts;
   int wrong = 0;
-  for (int i = 0; i < options.missions;) {
+  for (int i = options.first; i < options.first + options.missions;) {
     const auto seed = options.seed + static_cast<unsigned>(i / kVariants);
     const Interrupted mission = interrupt(seed, options.length_m, folder / "mission");
-    for (int k = 0; k < kVariants && i < options.missions; ++k, ++i) {
+    for (int k = i % kVariants; k < kVariants && i < options.first + options.missions; ++k, ++i) {
       std::mt19937 random(options.seed * 1'000'000 + static_cast<unsigned>(i));
       MissionRunOptions resumed = mission.options;
       resumed.folder = folder / "resumed";
@@ -164,6 +165,8 @@ int main(int argc, char** argv) try {
   CLI::App app{"Damages journals of interrupted missions and resumes them"};
   app.add_option("--cases", options.cases, "Damages of a journal that its stage opens");
   app.add_option("--missions", options.missions, "Missions resumed with a damaged journal");
+  app.add_option("--first", options.first, "Number of the first of them")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--seed", options.seed, "Seed of mines and damages");
   app.add_option("--length-m", options.length_m, "Length of the mines");
   app.add_flag("--show", options.show, "Print each case on standard error");

@@ -83,16 +83,20 @@ bool names_all_losses(const StoredMap& found, const StoredMap& intact) {
   const auto is_in = [](const std::vector<int>& ids, int id) {
     return std::ranges::find(ids, id) != ids.end();
   };
+  const auto is_named = [&](int id) {
+    return is_in(losses.local_maps, id) || is_in(losses.shortened, id);
+  };
   for (const LocalMap& map : intact.maps) {
     const auto i = static_cast<std::size_t>(map.id);
     if (i >= found.maps.size()) {
       if (!losses.end) return false;
-    } else if (found.maps[i].scans != map.scans && !is_in(losses.local_maps, map.id) &&
-               !is_in(losses.shortened, map.id)) {
+    } else if (found.maps[i].scans != map.scans && !is_named(map.id)) {
       return false;
     }
   }
-  return true;
+  if (!intact.unfinished) return true;
+  const bool is_whole = found.unfinished && found.unfinished->scans == intact.unfinished->scans;
+  return is_whole || losses.end || is_named(intact.unfinished->id);
 }
 
 }  // namespace
@@ -143,8 +147,7 @@ DamagedCase DamagedStages::run(unsigned seed) {
     fs::copy_file(intact.journal, path, fs::copy_options::overwrite_existing);
   apply(result.damage, journal, random);
   const std::string damaged = bytes_in(journal);
-  const std::string damaged_copy = bytes_in(copy);
-  if (damaged == intact.bytes && damaged_copy == intact.bytes) return result;
+  if (damaged == intact.bytes && bytes_in(copy) == intact.bytes) return result;
 
   std::optional<StoredMap> map;
   try {
@@ -162,9 +165,12 @@ DamagedCase DamagedStages::run(unsigned seed) {
     return result;
   }
   const bool same = records_in(journal) == intact.records;
+  const bool both = result.damage.files == JournalDamage::Files::kBoth;
+  const bool is_cut = result.damage.action == JournalDamage::Action::kTruncate ||
+                      (result.report.empty() && is_older(damaged, intact.bytes));
   if (same) {
     result.outcome = DamageOutcome::kRight;
-  } else if (is_older(damaged, intact.bytes) && is_older(damaged_copy, intact.bytes)) {
+  } else if (both && is_cut) {
     result.outcome = DamageOutcome::kOlder;
   } else {
     const bool named = !map || names_all_losses(*map, *intact.map);

@@ -159,6 +159,30 @@ TEST_F(MapJournalOnDisk, TakesThePartsOfALostLocalMap) {
   EXPECT_FALSE(stored.losses.has_gap());
 }
 
+/// The first part or one in the middle: where the robot was last is known by those after it.
+TEST_F(MapJournalOnDisk, UsesThePartsOfAnUnfinishedLocalMapAfterALostOne) {
+  for (const std::size_t lost : {1U, 2U}) {
+    const std::filesystem::path path = scratch_ / ("lost_" + std::to_string(lost) + ".journal");
+    const LocalMap whole = local_map(1, 6);
+    {
+      MapJournal journal(path);
+      journal.append({local_map(0, 3), {}});
+      for (const int scans : {2, 4, 6}) journal.append_unfinished(local_map(1, scans));
+    }
+    damage_record(path, lost);
+    const StoredMap stored = read_map_journal(path);
+    ASSERT_TRUE(stored.unfinished);
+    EXPECT_EQ(stored.unfinished->scans.size(), 4U);
+    EXPECT_EQ(stored.unfinished->scans.back(), whole.scans.back());
+    EXPECT_EQ(stored.unfinished->end_utime, whole.end_utime);
+    EXPECT_EQ(stored.losses.shortened, std::vector{1});
+    MapJournal journal(path);
+    EXPECT_NE(journal.report().find("local map 1 without some scans"), std::string::npos);
+    journal.append({whole, {}});
+    EXPECT_TRUE(read_map_journal(path).losses.shortened.empty()) << "the whole map is stored";
+  }
+}
+
 TEST_F(MapJournalOnDisk, DoesNotKnowWhatFollowedTheLastLocalMap) {
   {
     MapJournal journal(path_);

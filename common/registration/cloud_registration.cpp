@@ -52,43 +52,81 @@ struct Linearised {
   Matrix6d information = Matrix6d::Zero();
   Matrix6d spurious = Matrix6d::Zero();
   Vector6d gradient = Vector6d::Zero();
-  int corresponding = 0;
+  int corresponding = 0;  ///< points of the source
+  int residuals = 0;      ///< of both scans
   int inliers = 0;
   double squares_m2 = 0.0;  ///< of the inliers
 };
 
-/// `scale_m`: width of the kernel.
+/// How points of one scan lie on the surfaces of the other.
+class CloudCorrespondences {
+ public:
+  /// `scale_m`: width of the kernel.
+  CloudCorrespondences(const Eigen::Isometry3d& T_target_source, double scale_m,
+                       const CloudRegistrationParams& params)
+      : T_(T_target_source), T_inverse_(T_.inverse()), scale_m_(scale_m), params_(params) {}
+
+  void add_source_on_target(const SurfaceCloud& source, const SurfaceCloud& target) {
+    const Eigen::Matrix3d R_source_target = T_.linear().transpose();
+    for (const ThinnedPoint& point : source.points()) {
+      const Eigen::Vector3d p = T_ * point.p;
+      const SurfacePatch* const found = target.nearest(p, T_ * point.origin);
+      if (found == nullptr) continue;
+      ++at_.corresponding;
+      add(found->normal.dot(p - found->p), point.p, R_source_target * found->normal, *found);
+    }
+  }
+
+  /// A point of the target moves in the frame of the source against the motion of the source.
+  void add_target_on_source(const SurfaceCloud& source, const SurfaceCloud& target) {
+    for (const ThinnedPoint& point : target.points()) {
+      const Eigen::Vector3d p = T_inverse_ * point.p;
+      const SurfacePatch* const found = source.nearest(p, T_inverse_ * point.origin);
+      if (found == nullptr) continue;
+      add(found->normal.dot(p - found->p), p, -found->normal, *found);
+    }
+  }
+
+  [[nodiscard]] const Linearised& result() const { return at_; }
+
+ private:
+  /// `p`, `normal`: in source, at the pose; the residual grows where the source moves along them.
+  void add(double residual_m, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+           const SurfacePatch& surface) {
+    const double variance =
+        params_.residual_sd_m * params_.residual_sd_m + surface.sd_m * surface.sd_m;
+    ++at_.residuals;
+    if (residual_m * residual_m < kSigmas * kSigmas * variance) {
+      ++at_.inliers;
+      at_.squares_m2 += residual_m * residual_m;
+    }
+    const double width_m2 = scale_m_ * scale_m_ + variance;
+    const double kernel = width_m2 / (width_m2 + residual_m * residual_m);
+    const double weight = kernel * kernel / (variance * params_.patches_per_measurement);
+    Vector6d jacobian;
+    jacobian << normal, p.cross(normal);
+    at_.information += weight * jacobian * jacobian.transpose();
+    at_.gradient += weight * residual_m * jacobian;
+    Eigen::Matrix<double, 6, 3> by_normal;
+    by_normal << Eigen::Matrix3d::Identity(), skew(p);
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    at_.spurious += weight * surface.normal_variance * by_normal * across * by_normal.transpose();
+  }
+
+  const Eigen::Isometry3d& T_;
+  Eigen::Isometry3d T_inverse_;
+  double scale_m_;
+  const CloudRegistrationParams& params_;
+  Linearised at_;
+};
+
 Linearised linearise(const SurfaceCloud& source, const SurfaceCloud& target,
                      const Eigen::Isometry3d& T, double scale_m,
                      const CloudRegistrationParams& params) {
-  Linearised at;
-  const Eigen::Matrix3d R_source_target = T.linear().transpose();
-  for (const SurfacePatch& patch : source.patches()) {
-    const Eigen::Vector3d p = T * patch.p;
-    const SurfacePatch* const found = target.nearest(p, T.linear() * patch.normal);
-    if (found == nullptr) continue;
-    ++at.corresponding;
-    const double residual_m = found->normal.dot(p - found->p);
-    const double variance = params.residual_sd_m * params.residual_sd_m + patch.sd_m * patch.sd_m +
-                            found->sd_m * found->sd_m;
-    if (residual_m * residual_m < kSigmas * kSigmas * variance) {
-      ++at.inliers;
-      at.squares_m2 += residual_m * residual_m;
-    }
-    const double width_m2 = scale_m * scale_m + variance;
-    const double kernel = width_m2 / (width_m2 + residual_m * residual_m);
-    const double weight = kernel * kernel / (variance * params.patches_per_measurement);
-    const Eigen::Vector3d normal = R_source_target * found->normal;
-    Vector6d jacobian;
-    jacobian << normal, patch.p.cross(normal);
-    at.information += weight * jacobian * jacobian.transpose();
-    at.gradient += weight * residual_m * jacobian;
-    Eigen::Matrix<double, 6, 3> by_normal;
-    by_normal << Eigen::Matrix3d::Identity(), skew(patch.p);
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-    at.spurious += weight * found->normal_variance * by_normal * across * by_normal.transpose();
-  }
-  return at;
+  CloudCorrespondences correspondences(T, scale_m, params);
+  correspondences.add_source_on_target(source, target);
+  correspondences.add_target_on_source(source, target);
+  return correspondences.result();
 }
 
 /// The part of the normal equations in constrained directions.
@@ -165,9 +203,9 @@ CloudRegistration register_clouds(const RegistrationCloud& source, const Registr
   result.degenerate = std::move(found.degenerate);
   result.information = found.information;
   result.inliers = at.inliers;
-  const auto patches = static_cast<double>(std::max<std::size_t>(1, source.fine.patches().size()));
-  result.overlap = at.corresponding / patches;
-  result.inlier_share = at.inliers / std::max(1.0, static_cast<double>(at.corresponding));
+  const auto points = static_cast<double>(std::max<std::size_t>(1, source.fine.points().size()));
+  result.overlap = at.corresponding / points;
+  result.inlier_share = at.inliers / std::max(1.0, static_cast<double>(at.residuals));
   result.rms_residual_m = std::sqrt(at.squares_m2 / std::max(1, at.inliers));
   result.accepted = result.converged && result.inliers >= params.inliers_min &&
                     result.inlier_share >= params.inlier_share_min;

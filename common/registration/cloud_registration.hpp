@@ -22,13 +22,13 @@ struct CloudRegistrationParams {
   double range_max_m = 15.0;  ///< of points that are used
   int iterations_max = 20;    ///< of each alignment
   double done_m = 3e-4;       ///< converged at a step below this (metres; radians times lever arm)
-  /// Standard deviation of a residual beside the roughness of both surfaces.
+  /// Standard deviation of a residual beside the roughness of the surface.
   double residual_sd_m = 0.01;
-  /// Neighbouring patches share the points of their normals and the roughness of the wall, seen
-  /// from two places: this number of patches counts as one measurement.
+  /// Neighbouring points lie on one patch, and share the roughness of the wall, seen from two
+  /// places: this number of points counts as one measurement.
   double patches_per_measurement = 9.0;
   int inliers_min = 100;
-  double inlier_share_min = 0.5;  ///< of the patches with a correspondence
+  double inlier_share_min = 0.5;  ///< of the points with a correspondence
   double spurious_ratio = 4.0;    ///< as in DegeneracyParams
   double sd_max_m = 0.1;
 
@@ -75,7 +75,7 @@ struct CloudRegistration {
   std::vector<Vector6d> degenerate;
   double lever_arm_m = 1.0;
   double rms_residual_m = 0.0;  ///< of the inliers, along the normals
-  double overlap = 0.0;         ///< share of the patches with a correspondence
+  double overlap = 0.0;         ///< share of the points of source with a correspondence
   double inlier_share = 0.0;    ///< of these, those within three standard deviations
   int inliers = 0;
   int iterations = 0;
@@ -84,11 +84,14 @@ struct CloudRegistration {
   bool accepted = false;
 };
 
-/// Aligns two levelled 3D scans in six degrees of freedom: iterated closest point with distances
-/// along the normals, weighted by the thickness of both surfaces (Segal, Haehnel, Thrun,
-/// "Generalized-ICP", RSS 2009), a Geman-McClure kernel, from coarse to fine, and the prior as an
-/// additional measurement. A direction is degenerate if its information does not exceed what the
-/// uncertainty of the normals alone produces, or leaves a large standard deviation, as in 2D
+/// Aligns two levelled 3D scans in six degrees of freedom: iterated closest point with the
+/// distances of the points of each scan from the surfaces of the other along their normals (Chen
+/// and Medioni, "Object modelling by registration of multiple range images", 1992), weighted by the
+/// thickness of the surface, a Geman-McClure kernel, from coarse to fine, and the prior as an
+/// additional measurement. Both ways, since of a part of the tunnel that one scan sees from nearby
+/// the other, 8 m before it, has points too sparse for surfaces. A direction is degenerate if its
+/// information does not exceed what the uncertainty of the normals alone produces, or leaves a
+/// large standard deviation, as in 2D
 /// (`split_degenerate`): the axis of a smooth tunnel.
 CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
                                   const CloudPrior& prior, const CloudRegistrationParams& params);

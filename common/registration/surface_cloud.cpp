@@ -3,7 +3,9 @@
 #include "common/registration/surface_cloud.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "common/geometry/symmetric_eigen.hpp"
@@ -11,11 +13,10 @@
 namespace adit {
 namespace {
 
-constexpr int kVoxelsMin = 5;          // of a plane
-constexpr double kFlatness = 0.1;      // maximum ratio of the smallest to the middle variance
-constexpr double kSpread = 0.15;       // minimum ratio of the middle to the largest variance
-constexpr double kNoiseSdM = 0.005;    // of the mean of a voxel, at least
-constexpr double kAlignedCos = 0.707;  // 45 degrees
+constexpr int kVoxelsMin = 7;        // of a plane
+constexpr double kFlatness = 0.1;    // maximum ratio of the smallest to the middle variance
+constexpr double kSpread = 0.15;     // minimum ratio of the middle to the largest variance
+constexpr double kNoiseSdM = 0.005;  // of the mean of a voxel, at least
 
 using Voxel = Eigen::Vector3i;
 
@@ -23,20 +24,28 @@ Voxel voxel_of(const Eigen::Vector3d& p, double voxel_m) {
   return (p / voxel_m).array().floor().cast<int>().matrix();
 }
 
+/// The block of 8 x 8 x 8 voxels.
+Voxel block_of(const Voxel& voxel) { return {voxel.x() >> 3, voxel.y() >> 3, voxel.z() >> 3}; }
+
 std::uint64_t key(const Voxel& voxel) {
   constexpr std::uint64_t kMask = (1U << 21U) - 1U;
   const auto part = [](int i) { return static_cast<std::uint64_t>(i) & kMask; };
   return part(voxel.x()) | part(voxel.y()) << 21U | part(voxel.z()) << 42U;
 }
 
-template <class Visit>
-void for_each_around(const Voxel& voxel, Visit&& visit) {
+/// The steps from a voxel to those around it, itself first, then by their distance.
+std::vector<Voxel> steps_around() {
+  std::vector<Voxel> steps;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) visit(key(voxel + Voxel(x, y, z)));
+      for (int z = -1; z <= 1; ++z) steps.emplace_back(x, y, z);
     }
   }
+  std::ranges::stable_sort(steps, {}, [](const Voxel& step) { return step.squaredNorm(); });
+  return steps;
 }
+
+const std::vector<Voxel> kNearestFirst = steps_around();
 
 struct VoxelPoints {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -68,18 +77,19 @@ SurfaceCloud::SurfaceCloud(const Cloud& cloud, double voxel_m, double range_max_
   }
   for (const VoxelPoints& voxel : voxels) {
     const Eigen::Vector3d centre = voxel.mean();
+    points_.push_back({centre, voxel.origin});
     const Voxel at = voxel_of(centre, voxel_m);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     int count = 0;
-    for_each_around(at, [&](std::uint64_t around) {
-      const auto found = voxel_at.find(around);
-      if (found == voxel_at.end()) return;
+    for (const Voxel& step : kNearestFirst) {
+      const auto found = voxel_at.find(key(at + step));
+      if (found == voxel_at.end()) continue;
       const Eigen::Vector3d p = voxels[static_cast<std::size_t>(found->second)].mean() - centre;
       sum += p;
       squares += p * p.transpose();
       ++count;
-    });
+    }
     if (count < kVoxelsMin) continue;
     const Eigen::Vector3d mean = sum / count;
     const SymmetricEigen<3> principal =
@@ -96,22 +106,34 @@ SurfaceCloud::SurfaceCloud(const Cloud& cloud, double voxel_m, double range_max_
     patch.normal_variance = variance / (count * variances[1]);
     patch_at_.emplace(key(at), static_cast<int>(patches_.size()));
     patches_.push_back(patch);
+    for (const Voxel& step : kNearestFirst) blocks_.insert(key(block_of(at + step)));
   }
 }
 
 const SurfacePatch* SurfaceCloud::nearest(const Eigen::Vector3d& p,
-                                          const Eigen::Vector3d& normal) const {
+                                          const Eigen::Vector3d& origin) const {
   const SurfacePatch* nearest = nullptr;
   double nearest_m2 = std::numeric_limits<double>::infinity();
-  for_each_around(voxel_of(p, voxel_m_), [&](std::uint64_t around) {
-    const auto found = patch_at_.find(around);
-    if (found == patch_at_.end()) return;
+  const Voxel at = voxel_of(p, voxel_m_);
+  if (!blocks_.contains(key(block_of(at)))) return nullptr;
+  // Squared distances from p to the voxels below, of and above its own, along each axis.
+  const Eigen::Vector3d below = p - at.cast<double>() * voxel_m_;
+  const Eigen::Vector3d above = Eigen::Vector3d::Constant(voxel_m_) - below;
+  const std::array<Eigen::Vector3d, 3> gaps_m2{below.cwiseAbs2(), Eigen::Vector3d::Zero(),
+                                               above.cwiseAbs2()};
+  for (const Voxel& step : kNearestFirst) {
+    const double gap_m2 = gaps_m2[static_cast<std::size_t>(step.x() + 1)].x() +
+                          gaps_m2[static_cast<std::size_t>(step.y() + 1)].y() +
+                          gaps_m2[static_cast<std::size_t>(step.z() + 1)].z();
+    if (gap_m2 >= nearest_m2) continue;
+    const auto found = patch_at_.find(key(at + step));
+    if (found == patch_at_.end()) continue;
     const SurfacePatch& patch = patches_[static_cast<std::size_t>(found->second)];
     const double distance_m2 = (patch.p - p).squaredNorm();
-    if (distance_m2 >= nearest_m2 || patch.normal.dot(normal) < kAlignedCos) return;
+    if (distance_m2 >= nearest_m2 || patch.normal.dot(origin - patch.p) <= 0.0) continue;
     nearest = &patch;
     nearest_m2 = distance_m2;
-  });
+  }
   return nearest;
 }
 

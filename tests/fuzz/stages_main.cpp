@@ -38,9 +38,15 @@ using Counts = std::map<std::string, ChannelCounts, std::less<>>;
 
 struct Outcome {
   Counts counts;
-  std::vector<std::string> failures;
+  std::int64_t failures = 0;
   std::int64_t missions = 0;
 };
+
+/// `from`: first case of the mission.
+void report(std::int64_t from, const std::string& failure, Outcome& outcome) {
+  std::fprintf(stderr, "FAILED: --from %lld: %s\n", static_cast<long long>(from), failure.c_str());
+  ++outcome.failures;
+}
 
 void add(const Counts& counts, Counts& sum) {
   for (const auto& [channel, added] : counts) {
@@ -67,12 +73,11 @@ std::int64_t run_mission(const Site& site, std::int64_t first, std::int64_t case
     checked = done;
     if (mission.is_over()) break;
     for (const std::string& wrong : mission.recover()) {
-      if (!mission.is_over()) outcome.failures.push_back(std::to_string(first) + ": " + wrong);
+      if (!mission.is_over()) report(first, wrong, outcome);
     }
   }
   add(mission.counts(), outcome.counts);
-  for (const std::string& failure : mission.failures())
-    outcome.failures.push_back(std::to_string(first) + ": " + failure);
+  for (const std::string& failure : mission.failures()) report(first, failure, outcome);
   ++outcome.missions;
   return done;
 }
@@ -94,8 +99,8 @@ int run(const Options& options) {
   Outcome outcome;
   const auto start = std::chrono::steady_clock::now();
   const std::int64_t end = options.from + options.cases;
-  // Missions begin at multiples, so that each can be repeated alone.
-  std::int64_t number = options.from - options.from % kCasesPerMission;
+  // A mission ends at the next multiple, or before; what it is sent depends on its first case only.
+  std::int64_t number = options.from;
   while (number < end) {
     const std::int64_t mission_end =
         std::min(end, number - number % kCasesPerMission + kCasesPerMission);
@@ -105,9 +110,7 @@ int run(const Options& options) {
   print(outcome);
   std::printf("%lld messages in %lld missions, %.1f s\n", static_cast<long long>(options.cases),
               static_cast<long long>(outcome.missions), taken.count());
-  for (const std::string& failure : outcome.failures)
-    std::fprintf(stderr, "FAILED: --from %s\n", failure.c_str());
-  return outcome.failures.empty() ? 0 : 1;
+  return outcome.failures == 0 ? 0 : 1;
 }
 
 }  // namespace

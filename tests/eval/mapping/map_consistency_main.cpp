@@ -132,7 +132,7 @@ class Remapped {
     LogParser parser(file.bytes());
     while (const auto event = parser.next()) {
       for (const auto channel : {channels::kLaserFront, channels::kLaserRear, channels::kScanMatch,
-                                 channels::kWheelOdometry, channels::kTruth}) {
+                                 channels::kWheelOdometry, channels::kCloud, channels::kTruth}) {
         if (event->channel == channel) bus_.inject(event->utime, event->channel, event->data);
       }
     }

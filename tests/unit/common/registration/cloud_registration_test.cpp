@@ -81,6 +81,26 @@ TEST(CloudRegistration, InventsNoInformationAlongASmoothTunnel) {
   EXPECT_LT(turn_between(truth, result.T_target_source), 0.005);
 }
 
+/// What the farther scan sees of the common part is too sparse for surfaces.
+TEST(CloudRegistration, FindsTheDistanceOfScansFarApart) {
+  CloudRegistrationParams params;
+  params.coarse_m = 0.3;
+  params.fine_m = 0.1;
+  params.range_max_m = 20.0;
+  const Eigen::Isometry3d truth = pose(9.0, 0.2, 0.0, 0.0, 0.0, 0.03);
+  const RegistrationCloud target(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), params);
+  const RegistrationCloud source(sweep(rough_tunnel, truth, 2), params);
+  CloudPrior prior;
+  prior.T_target_source = pose(0.15, 0.0, 0.0, 0.0, 0.0, 0.0) * truth;
+  prior.information.diagonal() << 25.0, 25.0, 400.0, 1e4, 1e4, 4e4;
+  const CloudRegistration result = register_clouds(source, target, prior, params);
+  ASSERT_TRUE(result.accepted);
+  EXPECT_TRUE(result.degenerate.empty());
+  const Eigen::Isometry3d error = result.T_target_source * truth.inverse();
+  EXPECT_NEAR(error.translation().x(), 0.0, 0.02);
+  EXPECT_NEAR(error.translation().y(), 0.0, 0.02);
+}
+
 TEST(CloudRegistration, RejectsScansWithoutOverlap) {
   const CloudRegistrationParams params;
   const RegistrationCloud target(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), params);

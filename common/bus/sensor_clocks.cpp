@@ -85,9 +85,10 @@ std::string_view SensorClocks::check(const std::string& channel, std::int64_t ut
     return state.stands() ? kNotContinuous : std::string_view{};
   }
   const bool follows = in_order && accepted.is_followed_by(utime, arrival_utime);
-  const bool agrees = accepted.agrees_with(utime, arrival_utime);
+  const bool agrees = accepted.length > 0 && accepted.agrees_with(utime, arrival_utime);
   const bool small_step_lasts = agrees && rejected.length >= kLastingLength;
-  if (accepted.length == 0 || small_step_lasts ||
+  const bool begins = accepted.length == 0 && !contradicts_others(channel, utime, arrival_utime);
+  if (begins || small_step_lasts ||
       ((follows || agrees) && !is_ahead(channel, utime, arrival_utime))) {
     accepted.add(utime, arrival_utime);
     rejected = {};
@@ -150,6 +151,18 @@ bool SensorClocks::others_continue(const std::string& channel, std::int64_t now_
   return std::ranges::any_of(channels_, [&](const auto& entry) {
     return entry.first != channel && entry.second.accepted.continues(now_utime);
   });
+}
+
+/// Of a channel that begins: farther from every other that continues than its arrival can jitter.
+bool SensorClocks::contradicts_others(const std::string& channel, std::int64_t utime,
+                                      std::int64_t arrival_utime) const {
+  const std::int64_t offset_us = utime - arrival_utime;
+  return others_continue(channel, arrival_utime) &&
+         std::ranges::none_of(channels_, [&](const auto& entry) {
+           const Run& other = entry.second.accepted;
+           return entry.first != channel && other.continues(arrival_utime) &&
+                  std::abs(offset_us - other.offset_us) <= kOffsetChangeUs;
+         });
 }
 
 std::string SensorClocks::fault(std::int64_t now_utime) const {

@@ -22,7 +22,8 @@ namespace adit {
 /// the one before it on its channel is rejected. It may be late by any time, as a stage that was
 /// suspended sees it, but not ahead of the earliest arrivals of its channel by more than a few of
 /// its periods (as Olson, A passive solution to the sensor synchronization problem, IROS 2010,
-/// takes the smallest latency for the true one). When a channel continues from a rejected stamp,
+/// takes the smallest latency for the true one). The first stamp of a channel may not be more than
+/// half a second from all others. When a channel continues from a rejected stamp,
 /// its clock was set: it is followed if no other channel of the stage contradicts it, as when the
 /// clock of the computer was set or a log is played again; otherwise the channel stays rejected
 /// until its clock is right, and `fault` says by how much it is off. A step of less than half a
@@ -80,6 +81,9 @@ class SensorClocks {
   [[nodiscard]] std::optional<std::int64_t> ahead_of_others_us(const std::string& channel,
                                                                std::int64_t now_utime) const;
   [[nodiscard]] bool others_continue(const std::string& channel, std::int64_t now_utime) const;
+
+  [[nodiscard]] bool contradicts_others(const std::string& channel, std::int64_t utime,
+                                        std::int64_t arrival_utime) const;
 
   std::function<void()> on_set_;
   std::map<std::string, Channel, std::less<>> channels_;

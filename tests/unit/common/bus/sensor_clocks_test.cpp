@@ -50,6 +50,34 @@ TEST_P(MonitoredClocks, RejectASingleStampThatIsOff) {
   EXPECT_EQ(set_, 0);
 }
 
+TEST_P(MonitoredClocks, RejectTheFirstStampOfAChannelThatIsOff) {
+  for (int i = 0; i < 10; ++i, now_ += kPeriodUs) EXPECT_EQ(accepts("IMU", now_), 1);
+  EXPECT_EQ(accepts("LASER_FRONT", now_ + GetParam()), 0);
+  now_ += kPeriodUs;
+  run(1.0, 0, 0);
+  EXPECT_EQ(laser_accepted_, 50);
+  EXPECT_EQ(imu_accepted_, 50);
+  EXPECT_EQ(set_, 0);
+}
+
+TEST_P(MonitoredClocks, RecoverFromAVeryFirstStampThatIsOff) {
+  EXPECT_EQ(accepts("LASER_FRONT", now_ + GetParam()), 1);
+  now_ += kPeriodUs;
+  run(1.2, 0, 0);
+  run(1.0, 0, 0);
+  EXPECT_EQ(laser_accepted_, 50);
+  EXPECT_EQ(imu_accepted_, 50);
+  EXPECT_TRUE(clocks_.fault(now_).empty());
+}
+
+TEST_P(MonitoredClocks, ReportAClockThatIsOffFromTheBeginning) {
+  for (int i = 0; i < 10; ++i, now_ += kPeriodUs) EXPECT_EQ(accepts("IMU", now_), 1);
+  run(5.0, GetParam(), 0);
+  EXPECT_EQ(laser_accepted_, 0);
+  EXPECT_EQ(imu_accepted_, 250);
+  EXPECT_NE(clocks_.fault(now_).find("the clock of LASER_FRONT is "), std::string::npos);
+}
+
 TEST_P(MonitoredClocks, RejectOneClockThatIsOffUntilItIsRight) {
   run(1.0, 0, 0);
   run(20.0, GetParam(), 0);

@@ -3,9 +3,7 @@
 #include "common/registration/surface_cloud.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 #include "common/geometry/symmetric_eigen.hpp"
@@ -116,16 +114,13 @@ const SurfacePatch* SurfaceCloud::nearest(const Eigen::Vector3d& p,
   double nearest_m2 = std::numeric_limits<double>::infinity();
   const Voxel at = voxel_of(p, voxel_m_);
   if (!blocks_.contains(key(block_of(at)))) return nullptr;
-  // Squared distances from p to the voxels below, of and above its own, along each axis.
-  const Eigen::Vector3d below = p - at.cast<double>() * voxel_m_;
-  const Eigen::Vector3d above = Eigen::Vector3d::Constant(voxel_m_) - below;
-  const std::array<Eigen::Vector3d, 3> gaps_m2{below.cwiseAbs2(), Eigen::Vector3d::Zero(),
-                                               above.cwiseAbs2()};
+  // Distances from p to the voxels below and above its own, along each axis.
+  const Eigen::Array3d below = (p - at.cast<double>() * voxel_m_).array();
+  const Eigen::Array3d above = voxel_m_ - below;
   for (const Voxel& step : kNearestFirst) {
-    const double gap_m2 = gaps_m2[static_cast<std::size_t>(step.x() + 1)].x() +
-                          gaps_m2[static_cast<std::size_t>(step.y() + 1)].y() +
-                          gaps_m2[static_cast<std::size_t>(step.z() + 1)].z();
-    if (gap_m2 >= nearest_m2) continue;
+    const Eigen::Array3d gap =
+        (step.array() < 0).select(below, (step.array() > 0).select(above, Eigen::Array3d::Zero()));
+    if (gap.matrix().squaredNorm() >= nearest_m2) continue;
     const auto found = patch_at_.find(key(at + step));
     if (found == patch_at_.end()) continue;
     const SurfacePatch& patch = patches_[static_cast<std::size_t>(found->second)];

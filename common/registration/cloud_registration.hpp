@@ -88,11 +88,11 @@ struct CloudRegistration {
 /// distances of the points of each scan from the surfaces of the other along their normals (Chen
 /// and Medioni, "Object modelling by registration of multiple range images", 1992), weighted by the
 /// thickness of the surface, a Geman-McClure kernel, from coarse to fine, and the prior as an
-/// additional measurement. Both ways, since of a part of the tunnel that one scan sees from nearby
-/// the other, 8 m before it, has points too sparse for surfaces. A direction is degenerate if its
-/// information does not exceed what the uncertainty of the normals alone produces, or leaves a
-/// large standard deviation, as in 2D
-/// (`split_degenerate`): the axis of a smooth tunnel.
+/// additional measurement. In both directions, since of a part of the tunnel that one scan sees
+/// from nearby the other, 8 m before it, has points too sparse for surfaces. A direction is
+/// degenerate if its information does not exceed what the uncertainty of the normals alone
+/// produces, or leaves a large standard deviation, as in 2D (`split_degenerate`): the axis of a
+/// smooth tunnel.
 CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
                                   const CloudPrior& prior, const CloudRegistrationParams& params);
 

@@ -27,7 +27,7 @@ struct CloudMatchingParams {
                                        .sd_max_m = 0.2};
   double distance_max_m = 12.0;  ///< between two 3D scans that are matched
   int matched_max = 3;           ///< earlier scans that one is matched with, the nearest first
-  int stored_max = 100;          ///< 3D scans in memory, about 0.5 MB each; 0: none are matched
+  int stored_max = 100;          ///< 3D scans in memory, about 1.4 MB each; 0: none are matched
   double prior_sd_m = 0.03;      ///< of the displacement before the match,
   double prior_sd_per_m = 0.03;  ///< and its growth with the distance
   double prior_sd_rad = 0.005;   ///< of its turn

@@ -20,6 +20,12 @@ Attitude Attitude::from_up(const Eigen::Vector3d& up_body) {
   return {std::atan2(up.y(), up.z()), -std::asin(std::clamp(up.x(), -1.0, 1.0))};
 }
 
+double heading_rate_rad_s(const Attitude& attitude, const Eigen::Vector3d& angular_velocity) {
+  return (angular_velocity.y() * std::sin(attitude.roll_rad) +
+          angular_velocity.z() * std::cos(attitude.roll_rad)) /
+         std::max(std::cos(attitude.pitch_rad), 0.1);
+}
+
 Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m, const Attitude& attitude) {
   Eigen::Isometry3d T = in_space(T_a_b, z_m);
   if (!attitude.is_level()) T.linear() = T.linear() * attitude.rotation();

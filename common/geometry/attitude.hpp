@@ -28,6 +28,11 @@ struct Attitude {
   friend bool operator==(const Attitude&, const Attitude&) = default;
 };
 
+/// Rate of the heading [rad/s] of a body that turns with this angular velocity in its own frame
+/// [rad/s]: a body that leans and pitches turns about the vertical as well (Euler rates of Z, Y, X;
+/// Diebel, "Representing attitude", 2006). Bounded near a pitch of 90 degrees.
+double heading_rate_rad_s(const Attitude& attitude, const Eigen::Vector3d& angular_velocity);
+
 /// A pose in six degrees of freedom from a planar pose, a height [m] and an attitude.
 Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m, const Attitude& attitude);
 

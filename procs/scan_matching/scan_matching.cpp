@@ -111,7 +111,7 @@ bool ScanMatching::add(const WheelOdometry& reading) {
 
 bool ScanMatching::add(const ImuReading& reading) {
   attitude_.add(reading);
-  return motion_.add(reading);
+  return motion_.add(reading, attitude_.attitude().value_or(Attitude{}));
 }
 
 void ScanMatching::add(const Cloud& cloud) {

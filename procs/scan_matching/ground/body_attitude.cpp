@@ -53,13 +53,15 @@ void BodyAttitude::add(const ImuReading& reading) {
   const double dt_s = seconds(reading.utime - utime_);
   utime_ = reading.utime;
   filter_.add(reading, reading.utime, acceleration(reading));
-  if (slopes_ && dt_s <= kGapMaxS) {
+  const auto attitude = this->attitude();
+  if (slopes_ && attitude && dt_s <= kGapMaxS) {
+    const double turn_rad = dt_s * heading_rate_rad_s(*attitude, reading.angular_velocity);
     for (Eigen::Vector2d* slope : {&slopes_->ground, &slopes_->ramp}) {
-      *slope += dt_s * reading.angular_velocity.z() * Eigen::Vector2d(slope->y(), -slope->x());
+      *slope += turn_rad * Eigen::Vector2d(slope->y(), -slope->x());
     }
   }
-  if (!slopes_ && filter_.up_body()) {
-    const Eigen::Vector2d slope = ground_slope(*attitude());
+  if (!slopes_ && attitude) {
+    const Eigen::Vector2d slope = ground_slope(*attitude);
     slopes_ = {slope, slope};
   }
 }

@@ -39,11 +39,14 @@ bool MotionPrediction::add(const WheelOdometry& reading) {
   return append(wheels_, reading, utime_);
 }
 
-bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading, utime_); }
+bool MotionPrediction::add(const ImuReading& reading, const Attitude& attitude) {
+  const double rad_s = heading_rate_rad_s(attitude, reading.angular_velocity);
+  return append(gyro_, HeadingRate{reading.utime, rad_s}, utime_);
+}
 
 void MotionPrediction::clear_readings() {
   wheels_.clear();
-  imu_.clear();
+  gyro_.clear();
 }
 
 void MotionPrediction::shift_time(std::int64_t shift_us) {
@@ -63,14 +66,14 @@ std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_
   // A reading is valid until the next; a gap makes the turn unknown.
   double turn = 0.0;
   std::int64_t covered = from;
-  for (auto it = imu_.begin(); it != imu_.end() && covered < to; ++it) {
+  for (auto it = gyro_.begin(); it != gyro_.end() && covered < to; ++it) {
     const auto next = std::next(it);
-    const std::int64_t until = next == imu_.end() ? to : std::min(to, next->utime);
+    const std::int64_t until = next == gyro_.end() ? to : std::min(to, next->utime);
     if (until <= covered) continue;
     const bool late = it->utime > covered + static_cast<std::int64_t>(1e6 * params_.gyro_gap_max_s);
     const bool long_gap = seconds(until - it->utime) > params_.gyro_gap_max_s;
     if (late || long_gap) return std::nullopt;
-    turn += it->angular_velocity.z() * seconds(until - covered);
+    turn += it->rad_s * seconds(until - covered);
     covered = until;
   }
   if (covered < to) return std::nullopt;

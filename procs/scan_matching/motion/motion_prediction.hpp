@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/point_to_line.hpp"
 #include "common/sensing/vehicle_readings.hpp"
@@ -87,7 +88,8 @@ class MotionPrediction {
 
   /// False: the reading does not advance in time and is ignored.
   bool add(const WheelOdometry& reading);
-  bool add(const ImuReading& reading);
+  /// `attitude`: of the body then; level where it is unknown.
+  bool add(const ImuReading& reading, const Attitude& attitude = {});
 
   /// Removes all readings: those to come have other times.
   void clear_readings();
@@ -105,6 +107,11 @@ class MotionPrediction {
   void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured, bool located = true);
 
  private:
+  struct HeadingRate {
+    std::int64_t utime = 0;
+    double rad_s = 0.0;
+  };
+
   void apply_odometry(std::int64_t utime, double wheels_scale, MotionEstimate& estimate) const;
   void apply_gyro(std::int64_t utime, MotionEstimate& estimate) const;
   void bound_unmeasured(std::int64_t utime, MotionEstimate& estimate) const;
@@ -114,7 +121,7 @@ class MotionPrediction {
 
   MotionPredictionParams params_;
   WheelReadings wheels_;
-  std::deque<ImuReading> imu_;
+  std::deque<HeadingRate> gyro_;
   std::optional<std::int64_t> utime_;
   Pose2 T_odom_body_;
   std::int64_t located_utime_ = 0;  ///< of the last scan that was located

@@ -28,6 +28,18 @@ TEST(Attitude, ReturnsFromTheVerticalInTheBodyFrame) {
   }
 }
 
+/// Against the rotation after a short time.
+TEST(HeadingRate, IsThatAboutTheVertical) {
+  constexpr double kStepS = 1e-6;
+  const Eigen::Vector3d rates(0.3, -0.2, 0.5);
+  for (const Attitude attitude : {Attitude{0.3, -0.2}, {-0.1, 0.5}, {0.0, 0.0}}) {
+    const Eigen::AngleAxisd turn(kStepS * rates.norm(), rates.normalized());
+    const Eigen::Vector3d ahead = attitude.rotation() * (turn * Eigen::Vector3d::UnitX());
+    EXPECT_NEAR(heading_rate_rad_s(attitude, rates), std::atan2(ahead.y(), ahead.x()) / kStepS,
+                1e-5);
+  }
+}
+
 TEST(GroundSlope, RisesAheadOfABodyWhoseFrontIsRaised) {
   const Eigen::Vector2d slope = ground_slope({0.0, -std::atan(0.2)});
   EXPECT_NEAR(slope.x(), 0.2, 1e-12);

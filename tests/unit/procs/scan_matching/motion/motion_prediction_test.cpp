@@ -36,6 +36,20 @@ TEST(MotionPrediction, UsesTheStepOfTheWheels) {
   EXPECT_GT(expected.prior.information(0, 0), 0.0);
 }
 
+/// Over a hump, leaning: the pitch changes, and the heading stays.
+TEST(MotionPrediction, DoesNotTakeAChangeOfPitchForATurn) {
+  constexpr double kRoll = -0.08;
+  constexpr double kPitchRate = -0.08;
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {5.0, 1.0, 0.5}, true);
+  for (int i = 0; i <= 100; ++i) {
+    ImuReading reading = turning(0.01 * i, -kPitchRate * std::sin(kRoll));
+    reading.angular_velocity.y() = kPitchRate * std::cos(kRoll);
+    motion.add(reading, {kRoll, 0.3 + 0.01 * i * kPitchRate});
+  }
+  EXPECT_NEAR(motion.predict(kStart + kSecond).prior.T_odom_body.theta, 0.5, 1e-9);
+}
+
 TEST(MotionPrediction, ScalesTheStepOfTheWheels) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {5.0, 1.0, 0.5}, true);

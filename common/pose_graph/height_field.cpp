@@ -7,59 +7,76 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/LU>
+
 namespace adit {
 namespace {
 
 constexpr double kUnconstrainedM = 1000.0;
-constexpr double kUnchanged = 1e-7;  // of heights and pitch errors on which others depend [m, rad]
+constexpr double kUnchanged =
+    1e-7;  // of heights and attitude errors on which others depend [m, rad]
 
 }  // namespace
 
-HeightField::HeightField(double pitch_sd_rad) : pitch_sd_rad_(pitch_sd_rad), tree_(1, kUnchanged) {}
+HeightField::HeightField(double tilt_sd_rad) : tilt_sd_rad_(tilt_sd_rad), tree_(1, kUnchanged) {}
 
 HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constraints,
-                         double pitch_sd_rad)
-    : HeightField(pitch_sd_rad) {
+                         double tilt_sd_rad)
+    : HeightField(tilt_sd_rad) {
   for (int node = 1; node < nodes; ++node) add_node();
   for (const HeightConstraint& constraint : constraints) add(constraint);
   update();
 }
 
-int HeightField::add_prior(int block, double mean, double sd) {
-  const double information = 1.0 / (sd * sd);
-  return tree_.add_term({{block},
-                         Eigen::MatrixXd::Constant(1, 1, information),
-                         Eigen::VectorXd::Constant(1, information * mean)});
+int HeightField::add_prior(const Tilt& tilt, const TiltPrior& prior) {
+  const Eigen::Matrix2d information = prior.covariance.inverse();
+  return tree_.add_term({{tilt.pitch, tilt.roll}, information, information * prior.error_rad});
 }
 
-HeightField::Unknown HeightField::add_unknown(double mean, double sd, bool of_session) {
-  Unknown unknown;
-  unknown.block = tree_.add_block(of_session);
-  unknown.prior = add_prior(unknown.block, mean, sd);
-  return unknown;
+int HeightField::add_node() {
+  Node node;
+  node.block = tree_.add_block(false);
+  constexpr double kInformation = 1.0 / (kUnconstrainedM * kUnconstrainedM);
+  node.prior = tree_.add_term(
+      {{node.block}, Eigen::MatrixXd::Constant(1, 1, kInformation), Eigen::VectorXd::Zero(1)});
+  nodes_.push_back(node);
+  return static_cast<int>(nodes_.size());
 }
 
-void HeightField::add_node() { nodes_.push_back(add_unknown(0.0, kUnconstrainedM, false)); }
-
-void HeightField::set_pitch_prior(int session, const PitchPrior& prior) {
-  pitch_priors_[session] = prior;
+void HeightField::set_tilt_prior(int session, const TiltPrior& prior) {
+  tilt_priors_[session] = prior;
   const auto s = static_cast<std::size_t>(session);
-  if (s >= pitch_.size()) return;
-  tree_.remove_term(pitch_[s].prior);
-  pitch_[s].prior = add_prior(pitch_[s].block, prior.error_rad, prior.sd_rad);
+  if (s >= tilts_.size()) return;
+  tree_.remove_term(tilts_[s].prior);
+  tilts_[s].prior = add_prior(tilts_[s], prior);
 }
 
 /// And the sessions that began with it.
 void HeightField::remove_newest_node() {
-  const Unknown node = nodes_.back();
+  const Node node = nodes_.back();
   nodes_.pop_back();
-  while (!pitch_.empty() && pitch_.back().block > node.block) {
-    tree_.remove_term(pitch_.back().prior);
+  while (!tilts_.empty() && tilts_.back().pitch > node.block) {
+    tree_.remove_term(tilts_.back().prior);
     tree_.remove_newest_block();
-    pitch_.pop_back();
+    tree_.remove_newest_block();
+    tilts_.pop_back();
   }
   tree_.remove_term(node.prior);
   tree_.remove_newest_block();
+}
+
+const HeightField::Tilt& HeightField::tilt_of(int session) {
+  while (static_cast<int>(tilts_.size()) <= session) {
+    const auto known = tilt_priors_.find(static_cast<int>(tilts_.size()));
+    const TiltPrior unknown{.covariance =
+                                tilt_sd_rad_ * tilt_sd_rad_ * Eigen::Matrix2d::Identity()};
+    Tilt tilt;
+    tilt.pitch = tree_.add_block(true);
+    tilt.roll = tree_.add_block(true);
+    tilt.prior = add_prior(tilt, known == tilt_priors_.end() ? unknown : known->second);
+    tilts_.push_back(tilt);
+  }
+  return tilts_[static_cast<std::size_t>(session)];
 }
 
 /// A body that seems to pitch up by e too much seems to climb by e times the distance.
@@ -67,15 +84,10 @@ int HeightField::add(const HeightConstraint& constraint) {
   std::map<int, double> coefficients;  // by block
   if (constraint.from > 0) coefficients[block_of(constraint.from)] -= 1.0;
   if (constraint.to > 0) coefficients[block_of(constraint.to)] += 1.0;
-  for (const auto& [session, forward_m] : constraint.travels) {
-    while (static_cast<int>(pitch_.size()) <= session) {
-      const auto known = pitch_priors_.find(static_cast<int>(pitch_.size()));
-      const PitchPrior prior =
-          known == pitch_priors_.end() ? PitchPrior{0.0, pitch_sd_rad_} : known->second;
-      pitch_.push_back(add_unknown(prior.error_rad, prior.sd_rad, true));
-    }
-    if (forward_m == 0.0) continue;
-    coefficients[pitch_[static_cast<std::size_t>(session)].block] += forward_m;
+  for (const auto& [session, forward_m, left_m] : constraint.travels) {
+    const Tilt& tilt = tilt_of(session);
+    if (forward_m != 0.0) coefficients[tilt.pitch] += forward_m;
+    if (left_m != 0.0) coefficients[tilt.roll] += left_m;
   }
   BayesTree::Term term;
   Eigen::VectorXd row(static_cast<Eigen::Index>(coefficients.size()));
@@ -116,7 +128,7 @@ Eigen::VectorXd HeightField::variances_to(int node) const {
 
 double HeightField::pitch_error_rad(int session) const {
   const auto s = static_cast<std::size_t>(session);
-  return session >= 0 && s < pitch_.size() ? tree_.solution(pitch_[s].block)[0] : 0.0;
+  return session >= 0 && s < tilts_.size() ? tree_.solution(tilts_[s].pitch)[0] : 0.0;
 }
 
 }  // namespace adit

@@ -29,4 +29,10 @@ void LevelError::add(double turn_rad, const Eigen::Vector2d& tilt_rad,
 
 Eigen::Vector2d LevelError::error_rad() const { return covariance() * vector_; }
 
+/// Pitch is positive about y, where the body descends; a body that rolls about x lifts its left.
+TiltPrior LevelError::as_prior() const {
+  const Eigen::Matrix2d to_heights{{0.0, -1.0}, {1.0, 0.0}};
+  return {to_heights * error_rad(), to_heights * covariance() * to_heights.transpose()};
+}
+
 }  // namespace adit

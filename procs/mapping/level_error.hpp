@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "common/pose_graph/height_field.hpp"
+
 namespace adit {
 
 /// The constant error of the attitude of a session, as that of the accelerometer's bias and of the
@@ -23,6 +25,8 @@ class LevelError {
   /// Roll and pitch, as stated less true [rad].
   [[nodiscard]] Eigen::Vector2d error_rad() const;
   [[nodiscard]] Eigen::Matrix2d covariance() const { return information_.inverse(); }
+  /// The same as what it adds to heights.
+  [[nodiscard]] TiltPrior as_prior() const;
 
  private:
   Eigen::Matrix2d information_;

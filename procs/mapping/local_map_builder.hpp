@@ -63,6 +63,8 @@ class LocalMapBuilder {
   /// current map to the one before, in which it begins at `T_before_last`.
   void replace_last_map(const UncertainPose& T_before_last, const LocalMap& discarded);
 
+  /// Signed distance travelled forwards in the current local map [m].
+  [[nodiscard]] double forward_m() const { return forward_m_; }
   /// The current local map; without scans before the first scan and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
   /// Covariance of the body's last pose in the frame of the current local map: of (x, y, θ) in the

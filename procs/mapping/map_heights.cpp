@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kSigmas = 3.0;
 constexpr double kUnknownM = 1000.0;
+constexpr double kAtRestM = 0.001;
+constexpr double kSettlesM = 0.5;  // distance over which a body rises and sinks on rough ground
 
 /// Where two paths are nearest to each other in plan.
 struct Approach {
@@ -35,7 +37,8 @@ Approach approach(const std::vector<TraversedPoint>& path, const Pose2& T_path_o
 
 /// A session begins at an unknown place: the slope bounds the climb from the end of the last one.
 HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& before) const {
-  HeightConstraint climb{map.id - 1, map.id, map.climb_m, 0.0, {{{before.session, map.forward_m}}}};
+  HeightConstraint climb{
+      node_of(map.id - 1), node_of(map.id), map.climb_m, 0.0, {{{before.session, map.forward_m}}}};
   if (map.session != before.session) {
     const double sd_m = 1.0 / std::sqrt(std::max(map.information(0, 0), 1e-12));
     const double length_m = map.T_previous_local.translation().norm();
@@ -72,10 +75,72 @@ void MapHeights::add_new(const std::vector<LocalMap>& maps) {
 }
 
 void MapHeights::add_climbs(const std::vector<LocalMap>& maps) {
-  for (std::size_t i = climbs_.size() + 1; i < maps.size(); ++i) {
-    field_.add_node();
-    climbs_.push_back(field_.add(climb_of(maps[i], maps[i - 1])));
+  for (std::size_t i = maps_.size(); i < maps.size(); ++i) {
+    maps_.emplace_back();
+    if (i > 0) {
+      maps_.back().node = field_.add_node();
+      maps_.back().constraint = field_.add(climb_of(maps[i], maps[i - 1]));
+    }
+    add_scans(maps[i]);
   }
+}
+
+void MapHeights::add_scans(const LocalMap& map) {
+  for (const CloudPlace& place : places_) {
+    if (place.map != map.id) continue;
+    const int node = field_.add_node();
+    const int constraint = field_.add({node_of(map.id),
+                                       node,
+                                       place.z_m,
+                                       scan_sd_m(map, place),
+                                       {{{map.session, place.forward_m}}}});
+    scans_.push_back({place, {node, constraint}});
+  }
+}
+
+/// The body sinks and rises within its own length: where it has not moved it has not either.
+double MapHeights::scan_sd_m(const LocalMap& map, const CloudPlace& place) const {
+  const double moved_m = std::abs(place.forward_m);
+  return std::hypot(kAtRestM, params_.scan_m * std::min(1.0, moved_m / kSettlesM),
+                    drift_per_m(map) * moved_m);
+}
+
+/// With its 3D scans, which are later nodes of the field.
+void MapHeights::remove_newest_map() {
+  const int map = static_cast<int>(maps_.size()) - 1;
+  for (; !scans_.empty() && scans_.back().place.map == map; scans_.pop_back()) {
+    field_.remove(scans_.back().node.constraint);
+    field_.remove_newest_node();
+  }
+  std::erase_if(places_, [map](const CloudPlace& place) { return place.map == map; });
+  std::erase_if(matches_, [map](const auto& entry) { return entry.first[1] == map; });
+  if (map > 0) {
+    field_.remove(maps_.back().constraint);
+    field_.remove_newest_node();
+  }
+  maps_.pop_back();
+}
+
+void MapHeights::add(const CloudMatch& match) {
+  matches_[{match.older.map, match.newer.map}].push_back(match);
+}
+
+bool MapHeights::is_match(const PoseConstraint& loop_closure) const {
+  return match_of(loop_closure) != nullptr;
+}
+
+const CloudMatch* MapHeights::match_of(const PoseConstraint& loop_closure) const {
+  const auto entry = matches_.find({loop_closure.from, loop_closure.to});
+  if (entry == matches_.end()) return nullptr;
+  const auto match =
+      std::ranges::find(entry->second, loop_closure.T_from_to, &CloudMatch::T_older_newer);
+  return match == entry->second.end() ? nullptr : &*match;
+}
+
+Eigen::VectorXd MapHeights::variances_to(int map) const {
+  Eigen::VectorXd variances(static_cast<Eigen::Index>(maps_.size()));
+  for (int i = 0; i < static_cast<int>(maps_.size()); ++i) variances[i] = variance(i, map);
+  return variances;
 }
 
 void MapHeights::update(const std::vector<LocalMap>& maps, const WallStore& walls,
@@ -88,10 +153,7 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const WallStore& wall
   for (; loop_closures_.size() > kept; loop_closures_.pop_back()) {
     if (loop_closures_.back().constraint >= 0) field_.remove(loop_closures_.back().constraint);
   }
-  for (; !climbs_.empty() && climbs_.size() + 1 > maps.size(); climbs_.pop_back()) {
-    field_.remove(climbs_.back());
-    field_.remove_newest_node();
-  }
+  while (maps_.size() > maps.size()) remove_newest_map();
   add_climbs(maps);
   for (std::size_t k = kept; k < loop_closures.size(); ++k) {
     const PoseConstraint& c = loop_closures[k];
@@ -100,17 +162,36 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const WallStore& wall
   field_.update();
 }
 
-/// Ties the ground of both local maps; −1 if they have none in common.
+/// The 3D scans are one above the other by what both see; −1 if one of them is not in the field.
+int MapHeights::add_to_field(const CloudMatch& match, int session) {
+  const auto find = [&](const CloudPlace& place) {
+    return std::ranges::find(scans_, place, &Scan::place);
+  };
+  const auto older = find(match.older);
+  const auto newer = find(match.newer);
+  if (older == scans_.end() || newer == scans_.end()) return -1;
+  return field_.add({older->node.node,
+                     newer->node.node,
+                     match.rise_m,
+                     match.rise_sd_m,
+                     {{{session, match.lever_m.x(), match.lever_m.y()}}}});
+}
+
+/// Ties the 3D scans that were matched, otherwise the ground of both local maps; −1 if they have
+/// none in common.
 int MapHeights::add_to_field(const PoseConstraint& loop_closure, const std::vector<LocalMap>& maps,
                              const WallStore& walls) {
+  if (const CloudMatch* const match = match_of(loop_closure)) {
+    return add_to_field(*match, maps[static_cast<std::size_t>(loop_closure.from)].session);
+  }
   const GroundOffset& ground = offset_at(loop_closure, walls);
   if (!std::isfinite(ground.offset_m)) return -1;
   const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
   const int from_session = maps[static_cast<std::size_t>(loop_closure.from)].session;
   const int to_session = maps[static_cast<std::size_t>(loop_closure.to)].session;
   return field_.add(
-      {loop_closure.from,
-       loop_closure.to,
+      {node_of(loop_closure.from),
+       node_of(loop_closure.to),
        ground.offset_m,
        sd_m,
        {{{from_session, ground.reference_forward_m}, {to_session, -ground.path_forward_m}}}});

@@ -156,8 +156,9 @@ void Mapping::place_cloud() {
   const Cloud cloud = *std::exchange(new_cloud_, std::nullopt);
   const LocalMap& current = builder_.current();
   if (current.scans.empty() || !odom_epoch_utime_ || cloud.utime < *odom_epoch_utime_) return;
-  clouds_.add(cloud, current.session, current.id, between(current.T_odom_local, cloud.T_odom_level),
-              cloud.z_odom_m - current.z_odom_m);
+  clouds_.add(cloud, current.session,
+              {cloud.utime, current.id, cloud.z_odom_m - current.z_odom_m, builder_.forward_m()},
+              between(current.T_odom_local, cloud.T_odom_level));
 }
 
 /// The pose of a body that rests near home may depend on the wheels over two local maps, although
@@ -229,7 +230,8 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   localization_.reset();
   MapUpdate update;
   update.map = map;
-  append_map(std::move(map));                   // section 2.1
+  append_map(std::move(map));  // section 2.1
+  for (const CloudPlace& place : clouds_.places(update.map.id)) heights_.add(place);
   heights_.add_new(maps_.headers());            // to tell levels apart
   update.associations = associate(update.map);  // sections 2.2 and 2.3
   if (!update.associations.empty()) update_heights();
@@ -260,12 +262,12 @@ std::vector<Association> Mapping::associate(const LocalMap& newest) {
 /// and learns the constant error of the attitude from those that are accepted.
 std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  const std::vector<CloudMatch> matches = clouds_.matches(map, [&](int i) {
+  const std::vector<MatchedClouds> matches = clouds_.matches(map, [&](int i) {
     return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
   });
   if (matches.empty()) return {};
   std::vector<LoopClosure> loop_closures;
-  for (const CloudMatch& match : matches) loop_closures.push_back(match.loop_closure);
+  for (const MatchedClouds& matched : matches) loop_closures.push_back(matched.loop_closure);
   std::vector<Association> decided = association_.decide(std::move(loop_closures), utime);
   // Without an IMU the attitude is that of the ground, whose error is not constant.
   const LocalScan& last = maps_.back().scans.back();
@@ -273,16 +275,16 @@ std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) 
   const int session = maps_.back().session;
   LevelError& error =
       level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;
-  for (const CloudMatch& match : matches) {
-    const LoopClosureAlternative& measured = match.loop_closure.alternatives.front();
+  for (const auto& [loop_closure, match] : matches) {
+    const LoopClosureAlternative& measured = loop_closure.alternatives.front();
     const bool accepted = std::ranges::any_of(decided, [&](const Association& a) {
       return a.chosen != Association::kNone && a.loop_closure.newer_map == map &&
              a.loop_closure.alternatives.front() == measured;
     });
     if (accepted) error.add(match.turn_rad, match.tilt_rad, match.tilt_covariance);
+    heights_.add(match);
   }
-  // Pitch is positive about y, where the body descends.
-  heights_.set_pitch_prior(session, {-error.error_rad().y(), std::sqrt(error.covariance()(1, 1))});
+  heights_.set_tilt_prior(session, error.as_prior());
   return decided;
 }
 
@@ -397,7 +399,7 @@ void Mapping::update_heights() {
       constraints_in_force(association_.problem(), association_.hypothesis());
   // Between neighbours there are those of 3D scans only, and the ground is that of the chain.
   std::erase_if(loop_closures, [&](const PoseConstraint& loop_closure) {
-    return is_neighbour(loop_closure.from, loop_closure.to);
+    return is_neighbour(loop_closure.from, loop_closure.to) && !heights_.is_match(loop_closure);
   });
   heights_.update(maps_.headers(), walls_, loop_closures);
 }

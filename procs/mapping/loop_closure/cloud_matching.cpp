@@ -3,6 +3,7 @@
 #include "procs/mapping/loop_closure/cloud_matching.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -37,22 +38,21 @@ Eigen::Matrix3d planar_information(const Matrix6d& information, const Matrix6d& 
 
 }  // namespace
 
-void CloudMatching::add(const Cloud& cloud, int session, int map, const Pose2& T_local_level,
-                        double z_local_m) {
+void CloudMatching::add(const Cloud& cloud, int session, const CloudPlace& place,
+                        const Pose2& T_local_level) {
   if (params_.stored_max == 0) return;
-  scans_.push_back(
-      {session, map, T_local_level, z_local_m, RegistrationCloud(cloud, params_.registration)});
+  scans_.push_back({session, place, T_local_level, RegistrationCloud(cloud, params_.registration)});
   while (scans_.size() > static_cast<std::size_t>(params_.stored_max)) scans_.pop_front();
 }
 
 void CloudMatching::discard(int map) {
-  std::erase_if(scans_, [&](const Scan& scan) { return scan.map == map; });
+  std::erase_if(scans_, [&](const Scan& scan) { return scan.place.map == map; });
   for (Scan& scan : scans_) {
-    if (scan.map > map) --scan.map;
+    if (scan.place.map > map) --scan.place.map;
   }
 }
 
-std::vector<CloudMatch> CloudMatching::matches(
+std::vector<MatchedClouds> CloudMatching::matches(
     int map, const std::function<PlacedLocalMap(int map)>& place_of) const {
   struct Pair {
     double distance_m;
@@ -60,20 +60,20 @@ std::vector<CloudMatch> CloudMatching::matches(
     Pose2 T_older_newer;
     double rise_m;
   };
-  std::vector<CloudMatch> found;
+  std::vector<MatchedClouds> found;
   for (const Scan& newer : scans_) {
-    if (newer.map != map) continue;
+    if (newer.place.map != map) continue;
     const PlacedLocalMap newer_map = place_of(map);
     const Pose2 T_map_newer = newer_map.T_map_local * newer.T_local_level;
     std::vector<Pair> pairs;
     for (const Scan& older : scans_) {
-      if (older.map >= map || older.session != newer.session) continue;
-      const PlacedLocalMap older_map = place_of(older.map);
+      if (older.place.map >= map || older.session != newer.session) continue;
+      const PlacedLocalMap older_map = place_of(older.place.map);
       const Pose2 T_older_newer = between(older_map.T_map_local * older.T_local_level, T_map_newer);
       const double distance_m = T_older_newer.translation().norm();
       if (distance_m > params_.distance_max_m) continue;
       pairs.push_back({distance_m, &older, T_older_newer,
-                       newer_map.z_m + newer.z_local_m - older_map.z_m - older.z_local_m});
+                       newer_map.z_m + newer.place.z_m - older_map.z_m - older.place.z_m});
     }
     std::ranges::stable_sort(pairs, {}, &Pair::distance_m);
     if (pairs.size() > static_cast<std::size_t>(params_.matched_max)) {
@@ -83,6 +83,14 @@ std::vector<CloudMatch> CloudMatching::matches(
       auto matched = match(newer, *pair.older, pair.T_older_newer, pair.rise_m);
       if (matched) found.push_back(std::move(*matched));
     }
+  }
+  return found;
+}
+
+std::vector<CloudPlace> CloudMatching::places(int map) const {
+  std::vector<CloudPlace> found;
+  for (const Scan& scan : scans_) {
+    if (scan.place.map == map) found.push_back(scan.place);
   }
   return found;
 }
@@ -99,8 +107,8 @@ Eigen::Matrix3d CloudMatching::beside_displacement(const Pose2& T_older_newer) c
   return covariance;
 }
 
-std::optional<CloudMatch> CloudMatching::match(const Scan& newer, const Scan& older,
-                                               const Pose2& T_older_newer, double rise_m) const {
+std::optional<MatchedClouds> CloudMatching::match(const Scan& newer, const Scan& older,
+                                                  const Pose2& T_older_newer, double rise_m) const {
   CloudPrior prior;
   prior.T_target_source = in_space(T_older_newer, rise_m, Attitude{});
   const double sd_m =
@@ -125,23 +133,31 @@ std::optional<CloudMatch> CloudMatching::match(const Scan& newer, const Scan& ol
   const UncertainPose between_levels{T_levels, covariance};
   const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;
   LoopClosureAlternative alternative;
-  alternative.older_map = older.map;
+  alternative.older_map = older.place.map;
   alternative.T_older_newer = between_maps.T_from_to;
   alternative.information = between_maps.covariance.inverse();
   alternative.log_likelihood =
       std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement);
-  CloudMatch result;
-  result.loop_closure.newer_map = newer.map;
+  MatchedClouds result;
+  result.loop_closure.newer_map = newer.place.map;
   result.loop_closure.alternatives.push_back(alternative);
-  result.turn_rad = T_levels.theta;
+  CloudMatch& match = result.match;
+  match.older = older.place;
+  match.newer = newer.place;
+  match.T_older_newer = alternative.T_older_newer;
+  match.turn_rad = T_levels.theta;
+  match.lever_m = T_levels.translation();
+  const Matrix6d covariance_6d = (matched.information + prior.information).inverse();
+  match.rise_m = matched.T_target_source.translation().z();
+  match.rise_sd_m =
+      std::hypot(std::sqrt(covariance_6d(2, 2)), params_.attitude_sd_rad * match.lever_m.norm());
   const Eigen::AngleAxisd tilt(
       Eigen::AngleAxisd(-T_levels.theta, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
       matched.T_target_source.linear());
-  result.tilt_rad = tilt.angle() * tilt.axis().head<2>();
-  const Matrix6d covariance_6d = (matched.information + prior.information).inverse();
-  result.tilt_covariance = covariance_6d.block<2, 2>(3, 3) + 2.0 * params_.attitude_sd_rad *
-                                                                 params_.attitude_sd_rad *
-                                                                 Eigen::Matrix2d::Identity();
+  match.tilt_rad = tilt.angle() * tilt.axis().head<2>();
+  match.tilt_covariance =
+      params_.tilt_variance_share * covariance_6d.block<2, 2>(3, 3) +
+      2.0 * params_.attitude_sd_rad * params_.attitude_sd_rad * Eigen::Matrix2d::Identity();
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include "common/registration/cloud_registration.hpp"
 #include "common/types/association.hpp"
 #include "common/types/cloud.hpp"
+#include "common/types/cloud_match.hpp"
 
 namespace adit {
 
@@ -33,7 +34,10 @@ struct CloudMatchingParams {
   double prior_sd_rad = 0.005;   ///< of its turn
   double height_sd_m = 0.1;      ///< of its rise
   /// Of the attitude from 3D scan to 3D scan, without its constant error.
-  double attitude_sd_rad = 0.002;
+  double attitude_sd_rad = 0.0005;
+  /// Share of the variance of the registration, whose errors along a tunnel agree over many
+  /// patches, that the tilt of two level frames has.
+  double tilt_variance_share = 0.2;
   double level_sd_rad = 0.01;  ///< of the relative roll and pitch of two level frames
   /// Across the displacement, and of its turn, planar scans are more accurate: the match errs alike
   /// from 3D scan to 3D scan, by 0.5 mrad on average.
@@ -53,6 +57,7 @@ struct CloudMatchingParams {
     v("prior_sd_rad", prior_sd_rad, within(1e-4, 1.0));
     v("height_sd_m", height_sd_m, within(1e-3, 10.0));
     v("attitude_sd_rad", attitude_sd_rad, within(1e-6, 1.0));
+    v("tilt_variance_share", tilt_variance_share, within(1e-3, 10.0));
     v("level_sd_rad", level_sd_rad, within(1e-4, 1.0));
     v("across_sd_m", across_sd_m, within(0.0, 10.0));
     v("turn_sd_rad", turn_sd_rad, within(0.0, 1.0));
@@ -66,13 +71,10 @@ struct PlacedLocalMap {
   double z_m = 0.0;
 };
 
-/// A match of two 3D scans.
-struct CloudMatch {
-  LoopClosure loop_closure;
-  double turn_rad = 0.0;  ///< from the older to the newer scan
-  /// As for LevelError.
-  Eigen::Vector2d tilt_rad = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d tilt_covariance = Eigen::Matrix2d::Identity();
+/// Two 3D scans that were matched.
+struct MatchedClouds {
+  LoopClosure loop_closure;  ///< between their local maps
+  CloudMatch match;
 };
 
 /// Matches 3D scans with each other. Floor and roof show the motion along a tunnel whose walls are
@@ -82,27 +84,27 @@ class CloudMatching {
  public:
   explicit CloudMatching(const CloudMatchingParams& params) : params_(params) {}
 
-  /// Adds a 3D scan that was taken in a local map: pose of its frame level there, and its height
-  /// above the origin of the local map [m]. Scans are added in order of time.
-  void add(const Cloud& cloud, int session, int map, const Pose2& T_local_level, double z_local_m);
+  /// Adds a 3D scan, in order of time. `T_local_level`: its frame level in its local map.
+  void add(const Cloud& cloud, int session, const CloudPlace& place, const Pose2& T_local_level);
   /// A local map was discarded, and the one after it has its id.
   void discard(int map);
 
   /// Matches the 3D scans of a local map with earlier ones of other local maps of the same session.
-  [[nodiscard]] std::vector<CloudMatch> matches(
+  [[nodiscard]] std::vector<MatchedClouds> matches(
       int map, const std::function<PlacedLocalMap(int map)>& place_of) const;
+  /// Where the 3D scans of a local map were taken.
+  [[nodiscard]] std::vector<CloudPlace> places(int map) const;
 
  private:
   struct Scan {
     int session;
-    int map;
+    CloudPlace place;
     Pose2 T_local_level;
-    double z_local_m;
     RegistrationCloud surfaces;
   };
   [[nodiscard]] Eigen::Matrix3d beside_displacement(const Pose2& T_older_newer) const;
-  [[nodiscard]] std::optional<CloudMatch> match(const Scan& newer, const Scan& older,
-                                                const Pose2& T_older_newer, double rise_m) const;
+  [[nodiscard]] std::optional<MatchedClouds> match(const Scan& newer, const Scan& older,
+                                                   const Pose2& T_older_newer, double rise_m) const;
 
   CloudMatchingParams params_;
   std::deque<Scan> scans_;  ///< oldest first

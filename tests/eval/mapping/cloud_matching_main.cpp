@@ -17,6 +17,7 @@
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
@@ -49,6 +50,10 @@ struct Errors {
   double normalised = 0.0;  ///< squares of the errors along, by their variances
   double largest_m = 0.0;
   int within = 0;  ///< within 1.96 standard deviations
+  int rises = 0;   ///< matches, constrained along the displacement or not
+  double prior_rise_m2 = 0.0;
+  double rise_m2 = 0.0;
+  double rise_normalised = 0.0;
 
   void add(const Errors& other) {
     pairs += other.pairs;
@@ -61,14 +66,20 @@ struct Errors {
     normalised += other.normalised;
     largest_m = std::max(largest_m, other.largest_m);
     within += other.within;
+    rises += other.rises;
+    prior_rise_m2 += other.prior_rise_m2;
+    rise_m2 += other.rise_m2;
+    rise_normalised += other.rise_normalised;
   }
 
   [[nodiscard]] std::string text() const {
     const double n = std::max(1, constrained);
-    return format("%d | %d | %.3f | %.3f | %.3f | %.2f | %.3f; %d | %.0f %%; %.1f", pairs,
-                  constrained, std::sqrt(prior_m2 / n), std::sqrt(along_m2 / n),
-                  std::sqrt(across_m2 / n), 1e3 * std::sqrt(turn_rad2 / n), largest_m, wrong,
-                  100.0 * within / n, normalised / n);
+    const double z = std::max(1, rises);
+    return format(
+        "%d | %d | %.3f | %.3f | %.3f | %.2f | %.3f; %d | %.0f %%; %.1f | %.4f | %.4f; %.1f", pairs,
+        constrained, std::sqrt(prior_m2 / n), std::sqrt(along_m2 / n), std::sqrt(across_m2 / n),
+        1e3 * std::sqrt(turn_rad2 / n), largest_m, wrong, 100.0 * within / n, normalised / n,
+        std::sqrt(prior_rise_m2 / z), std::sqrt(rise_m2 / z), rise_normalised / z);
   }
 };
 
@@ -110,8 +121,12 @@ class Matched {
         return PlacedLocalMap{place.T_odom_level, place.z_m};
       });
       count_pairs(newer, table);
-      for (const CloudMatch& match : matches) add(match.loop_closure, print_pairs, table);
+      for (const MatchedClouds& matched : matches) {
+        add(matched.loop_closure, print_pairs, table);
+        add_rise(matched.match);
+      }
     }
+    add_rises(table);
     return table;
   }
 
@@ -123,7 +138,7 @@ class Matched {
   };
 
   void add(const Cloud& cloud) {
-    matching_.add(cloud, 0, static_cast<int>(places_.size()), Pose2{}, 0.0);
+    matching_.add(cloud, 0, {cloud.utime, static_cast<int>(places_.size()), 0.0, 0.0}, Pose2{});
     places_.push_back({cloud.utime, cloud.T_odom_level, cloud.z_odom_m});
   }
 
@@ -153,6 +168,41 @@ class Matched {
     distances.resize(std::min<std::size_t>(distances.size(), CloudMatchingParams{}.matched_max));
     for (const double distance_m : distances) {
       if (Errors* const row = row_of(distance_m, table)) ++row->pairs;
+    }
+  }
+
+  void add_rise(const CloudMatch& match) {
+    const Place& older = places_[static_cast<std::size_t>(match.older.map)];
+    const Place& newer = places_[static_cast<std::size_t>(match.newer.map)];
+    const auto from = interpolate_in_space(truth_, older.utime);
+    const auto to = interpolate_in_space(truth_, newer.utime);
+    if (!from || !to) return;
+    const double rise_m = to->z_m - from->z_m;
+    rises_.push_back(
+        {match.lever_m, newer.z_m - older.z_m - rise_m, match.rise_m - rise_m, match.rise_sd_m});
+  }
+
+  /// Without the constant error of the attitude, which inclines the rises of a mission alike, in
+  /// the prior and in the matches.
+  void add_rises(Table& table) const {
+    Eigen::Matrix2d squares = 1e-6 * Eigen::Matrix2d::Identity();
+    Eigen::Vector2d of_prior = Eigen::Vector2d::Zero();
+    Eigen::Vector2d of_match = Eigen::Vector2d::Zero();
+    for (const Rise& rise : rises_) {
+      squares += rise.lever_m * rise.lever_m.transpose();
+      of_prior += rise.lever_m * rise.prior_error_m;
+      of_match += rise.lever_m * rise.error_m;
+    }
+    const Eigen::Matrix2d inverse = squares.inverse();
+    for (const Rise& rise : rises_) {
+      Errors* const row = row_of(rise.lever_m.norm(), table);
+      if (row == nullptr) continue;
+      const double prior_m = rise.prior_error_m - rise.lever_m.dot(inverse * of_prior);
+      const double match_m = rise.error_m - rise.lever_m.dot(inverse * of_match);
+      ++row->rises;
+      row->prior_rise_m2 += prior_m * prior_m;
+      row->rise_m2 += match_m * match_m;
+      row->rise_normalised += match_m * match_m / (rise.sd_m * rise.sd_m);
     }
   }
 
@@ -196,6 +246,13 @@ class Matched {
   CloudMatching matching_;
   CloudReassembler reassembler_;
   std::vector<Place> places_;
+  struct Rise {
+    Eigen::Vector2d lever_m;
+    double prior_error_m;
+    double error_m;
+    double sd_m;
+  };
+  std::vector<Rise> rises_;
   Trajectory truth_;
 };
 
@@ -210,7 +267,8 @@ void print_table(const std::vector<std::filesystem::path>& logs, bool print_pair
   print_heading(
       "| 3D scans apart (m) | pairs | constrained along | prior, RMSE along (m) | match, RMSE "
       "along (m) | across (m) | turn (mrad) | largest along (m); above 0.1 m | in 95 %; error "
-      "squared (1) |");
+      "squared (1) | rise without constant tilt, prior, RMSE (m) | match, RMSE (m); error squared "
+      "(1) |");
   double from_m = kMoved;
   for (const Errors& errors : sum) {
     std::cout << "| " << format("%.1f to %.1f", from_m, errors.distance_max_m) << " | "

@@ -35,6 +35,7 @@ namespace {
 
 constexpr double kChiSquare3 = 7.814728;  // 95 %, three degrees of freedom
 constexpr double kChiSquare2 = 5.991465;  // two
+constexpr double kChiSquare1 = 3.841459;  // one
 
 /// How many errors are within their 95 % region, and the mean of the normalised error squared.
 struct Consistency {
@@ -64,6 +65,8 @@ struct Row {
   Consistency loop_closures;
   Consistency local_maps;
   double squares_m2 = 0.0;  ///< of the errors of local maps in plan, summed
+  Consistency heights;      ///< of local maps
+  double heights_m2 = 0.0;  ///< their errors, squared and summed
   Consistency body;         ///< relative to home, by each MAP_CORRECTION
   double body_sd_m = 0.0;   ///< at the end, in the worst direction
   double body_error_m = 0.0;
@@ -73,6 +76,8 @@ struct Row {
     loop_closures.add(other.loop_closures);
     local_maps.add(other.local_maps);
     squares_m2 += other.squares_m2;
+    heights.add(other.heights);
+    heights_m2 += other.heights_m2;
     body.add(other.body);
   }
 };
@@ -110,6 +115,7 @@ class Remapped {
       row.squares_m2 = squares_m2(graph, *start);
       row.local_maps.sum = maps->normalised_error_squared * static_cast<double>(maps->local_maps);
     }
+    add_heights(graph, row);
     for (const BodyPose& pose : poses_) add_body(pose, *start, row);
     return row;
   }
@@ -159,6 +165,21 @@ class Remapped {
     return sum;
   }
 
+  /// Above the first local map.
+  void add_heights(const MapGraph& graph, Row& row) const {
+    if (record_.truth().empty()) return;
+    const std::int64_t first = record_.truth().front().utime;
+    const auto start = interpolate_in_space(record_.truth(), std::max(begin_of(0), first));
+    for (const auto& [id, map] : record_.local_maps()) {
+      const auto i = static_cast<std::size_t>(id);
+      const auto real = interpolate_in_space(record_.truth(), map.utime);
+      if (id == 0 || !start || !real || i >= graph.z_m.size()) continue;
+      const double error_m = graph.z_m[i] - graph.z_m[0] - (real->z_m - start->z_m);
+      row.heights_m2 += error_m * error_m;
+      row.heights.add(error_m * error_m / graph.z_variance[i], kChiSquare1);
+    }
+  }
+
   void add_constraint(const MapConstraint& c, Row& row) const {
     const auto from = true_at(begin_of(c.measured.from));
     const auto to = true_at(begin_of(c.measured.to));
@@ -193,6 +214,9 @@ void print_row(const std::string& name, const Row& row, const std::string& end) 
             << row.loop_closures.text() << " | " << row.local_maps.text()
             << format(" | %.3f | ",
                       std::sqrt(row.squares_m2 / std::max<std::size_t>(1, row.local_maps.count)))
+            << row.heights.text()
+            << format(" | %.3f | ",
+                      std::sqrt(row.heights_m2 / std::max<std::size_t>(1, row.heights.count)))
             << row.body.text() << " | " << end << " |\n"
             << std::flush;
 }
@@ -200,7 +224,8 @@ void print_row(const std::string& name, const Row& row, const std::string& end) 
 void print_table(const std::vector<std::filesystem::path>& logs) {
   print_heading(
       "| mission | displacements: number, in 95 % ellipsoid, mean normalised error squared (3) | "
-      "loop closures (3) | local maps (3) | their RMSE (m) | body relative to home (2) | at the "
+      "loop closures (3) | local maps (3) | their RMSE in plan (m) | heights (1) | their RMSE (m) "
+      "| body relative to home (2) | at the "
       "end: 95 %, error "
       "(m) |");
   Row sum;

@@ -52,17 +52,28 @@ TEST(HeightField, CorrectsByWhatIsKnownOfThePitch) {
   auto constraints = chain(9, 0.0, 1e-3, 10.0);
   for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.travels[0].forward_m;
   HeightField field(9, constraints, kPitchSd);
-  field.set_pitch_prior(0, {kError, 1e-4});
+  const TiltPrior known{{kError, 0.0}, 1e-8 * Eigen::Matrix2d::Identity()};
+  field.set_tilt_prior(0, known);
   field.update();
   for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-6);
   EXPECT_NEAR(field.variance(0, 8), 8e-6 + 80.0 * 80.0 * 1e-8, 1e-9);
 
   HeightField known_before(kPitchSd);
-  known_before.set_pitch_prior(0, {kError, 1e-4});
+  known_before.set_tilt_prior(0, known);
   for (int node = 1; node < 9; ++node) known_before.add_node();
   for (const HeightConstraint& climb : constraints) known_before.add(climb);
   known_before.update();
   EXPECT_NEAR(known_before.height_m(8), 0.0, 1e-6);
+}
+
+/// What is seen to the side of a body that rolls too much seems to be high.
+TEST(HeightField, CorrectsByWhatIsKnownOfTheRoll) {
+  const Eigen::Vector2d error(0.003, -0.004);
+  const HeightConstraint seen{0, 1, 8.0 * error.x() + 2.0 * error.y(), 1e-3, {{{0, 8.0, 2.0}}}};
+  HeightField field(2, {seen}, kPitchSd);
+  field.set_tilt_prior(0, {error, 1e-10 * Eigen::Matrix2d::Identity()});
+  field.update();
+  EXPECT_NEAR(field.height_m(1), 0.0, 1e-6);
 }
 
 TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
@@ -84,11 +95,11 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
     climb.climb_m = 0.1 * normal(random);
     climb.travels[0].session = climb.from < 6 ? 0 : 1;
   }
-  constraints.push_back({2, 9, 0.1, 0.03, {{{0, 3.0}, {1, -2.0}}}});
+  constraints.push_back({2, 9, 0.1, 0.03, {{{0, 3.0, 1.5}, {1, -2.0, 4.0}}}});
   constraints.push_back({0, 11, -0.2, 0.03, {}});
   const HeightField field(kNodes, constraints, kPitchSd);
 
-  constexpr int kUnknowns = kNodes - 1 + 2;
+  constexpr int kUnknowns = kNodes - 1 + 4;
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(kUnknowns);
   for (int i = 0; i < kUnknowns; ++i) information(i, i) = i < kNodes - 1 ? 1e-6 : 4e4;
@@ -96,8 +107,9 @@ TEST(HeightField, AgreesWithDenseLeastSquares) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(kUnknowns);
     if (constraint.from > 0) row[constraint.from - 1] -= 1.0;
     if (constraint.to > 0) row[constraint.to - 1] += 1.0;
-    for (const auto& [session, forward_m] : constraint.travels) {
+    for (const auto& [session, forward_m, left_m] : constraint.travels) {
       row[kNodes - 1 + session] += forward_m;
+      row[kNodes + 1 + session] += left_m;
     }
     const double weight = 1.0 / (constraint.sd_m * constraint.sd_m);
     information += weight * row * row.transpose();

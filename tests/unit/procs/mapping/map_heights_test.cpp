@@ -91,6 +91,61 @@ TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
   EXPECT_NEAR(heights.height_m(8), 0.0, 0.03);
 }
 
+/// At the start of the second local map the body climbs a step on all wheels at once, which its
+/// pitch does not show.
+struct StepUp {
+  static constexpr double kStepM = 0.04;
+  Ramp ramp{3, 0.0};
+  MapHeights heights{MapHeightsParams{}};
+  CloudMatch match;
+
+  StepUp() {
+    match.older = {1, 0, 0.0, 0.0};
+    match.newer = {2, 1, 0.0, 1.0};
+    match.T_older_newer = {kLengthM, 0.0, 0.0};
+    match.lever_m = {kLengthM + 1.0, 0.0};
+    match.rise_m = kStepM;
+    match.rise_sd_m = 0.002;
+    heights.add(match.older);
+    heights.add(match.newer);
+    heights.add(match);
+  }
+  [[nodiscard]] PoseConstraint loop_closure() const {
+    return {0, 1, match.T_older_newer, Eigen::Matrix3d::Identity()};
+  }
+};
+
+TEST(MapHeights, FollowTheRiseOfMatched3DScans) {
+  StepUp step;
+  EXPECT_TRUE(step.heights.is_match(step.loop_closure()));
+  EXPECT_FALSE(step.heights.is_match({0, 1, {}, Eigen::Matrix3d::Identity()}));
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {});
+  EXPECT_NEAR(step.heights.height_m(2), 0.0, 1e-6);
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {step.loop_closure()});
+  // The step may lie in the first local map or after the origin of the second one.
+  EXPECT_GT(step.heights.height_m(2), 0.4 * StepUp::kStepM);
+  EXPECT_LT(step.heights.height_m(2), StepUp::kStepM);
+  EXPECT_EQ(step.heights.variances_to(0).size(), 3);
+}
+
+TEST(MapHeights, ARevokedMatchLeavesNoTrace) {
+  StepUp step;
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {step.loop_closure()});
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {});
+  EXPECT_NEAR(step.heights.height_m(2), 0.0, 1e-6);
+}
+
+/// Also of a local map whose id another one gets.
+TEST(MapHeights, ARemovedLocalMapTakesItsMatchesWithIt) {
+  StepUp step;
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {step.loop_closure()});
+  const std::vector<LocalMap> first{step.ramp.maps.front()};
+  step.heights.update(first, stored(step.ramp.walls), {});
+  EXPECT_FALSE(step.heights.is_match(step.loop_closure()));
+  step.heights.update(step.ramp.maps, stored(step.ramp.walls), {});
+  EXPECT_NEAR(step.heights.height_m(2), 0.0, 1e-6);
+}
+
 /// Out and back in reverse, a constant error of the pitch leaves no trace: the heights of the
 /// return are those of the outward path, and how far they are wrong stays unknown.
 TEST(MapHeights, ReverseDrivingDoesNotRevealTheErrorOfThePitch) {

@@ -29,10 +29,11 @@ struct TwoScans {
 
   explicit TwoScans(const Rock& rock, const CloudMatchingParams& params = {}, int session = 0)
       : matching(params) {
-    matching.add(sweep(rock, Eigen::Isometry3d::Identity(), 1), 0, 0, {}, 0.0);
-    matching.add(sweep(rock, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), session, 1, {}, 0.0);
+    matching.add(sweep(rock, Eigen::Isometry3d::Identity(), 1), 0, {1, 0, 0.0, 0.0}, {});
+    matching.add(sweep(rock, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), session, {2, 1, 0.0, 0.0},
+                 {});
   }
-  [[nodiscard]] std::vector<CloudMatch> matches(int map = 1) const {
+  [[nodiscard]] std::vector<MatchedClouds> matches(int map = 1) const {
     return matching.matches(map, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
   }
 };
@@ -50,7 +51,7 @@ TEST(CloudMatching, FindsTheMotionAlongATunnelByItsBumps) {
 }
 
 TEST(CloudMatching, LeavesASmoothTunnelToTheWheels) {
-  for (const CloudMatch& match : TwoScans(smooth_tunnel).matches()) {
+  for (const MatchedClouds& match : TwoScans(smooth_tunnel).matches()) {
     const auto& information = match.loop_closure.alternatives.front().information;
     EXPECT_GT(information.inverse()(0, 0), 1.0);
   }
@@ -72,9 +73,10 @@ TEST(CloudMatching, RelatesTheOriginsOfTheLocalMaps) {
   const Pose2 T_local_first{1.0, 0.4, 0.6};
   const Pose2 T_local_second{2.0, -0.3, -0.4};
   CloudMatching matching{CloudMatchingParams{}};
-  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, 0, T_local_first, 0.3);
-  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 0, 1, T_local_second,
-               0.1);
+  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, {1, 0, 0.3, 0.0},
+               T_local_first);
+  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, 0.0), 2), 0, {2, 1, 0.1, 0.0},
+               T_local_second);
   const Pose2 T_first_second = T_local_first * Pose2{kApartM, 0.0, 0.0} * T_local_second.inverse();
   const Pose2 T_map_first{5.0, 6.0, 1.0};
   const std::vector<PlacedLocalMap> placed{{T_map_first, 2.0}, {T_map_first * T_first_second, 2.2}};
@@ -91,18 +93,39 @@ TEST(CloudMatching, ShowsTheTiltOfInclinedLevelFrames) {
   const Eigen::Vector2d e(0.01, 0.006);  // of both, about their own axes
   constexpr double kTurn = 0.4;
   CloudMatching matching{CloudMatchingParams{}};
-  matching.add(sweep(rough_tunnel, pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 1), 0, 0, {}, 0.0);
+  matching.add(sweep(rough_tunnel, pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 1), 0,
+               {1, 0, 0.0, 0.0}, {});
   matching.add(
       sweep(rough_tunnel,
             pose(2.0, 0.0, 0.0, 0.0, 0.0, kTurn) * pose(0.0, 0.0, 0.0, -e.x(), -e.y(), 0.0), 2),
-      0, 1, {}, 0.0);
+      0, {2, 1, 0.0, 0.0}, {});
   const std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{2.0, 0.0, kTurn}, 0.0}};
   const auto matches =
       matching.matches(1, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
   ASSERT_EQ(matches.size(), 1U);
   const Eigen::Vector2d expected = -(e - Eigen::Rotation2Dd(-kTurn).toRotationMatrix() * e);
-  EXPECT_LT((matches[0].tilt_rad - expected).norm(), 0.003);
-  EXPECT_NEAR(matches[0].turn_rad, kTurn, 0.01);
+  EXPECT_LT((matches[0].match.tilt_rad - expected).norm(), 0.003);
+  EXPECT_NEAR(matches[0].match.turn_rad, kTurn, 0.01);
+}
+
+/// By rubble on which the whole body stands higher, floor and roof seem to have sunk. The wheels
+/// and the pitch do not show it, and the local maps are placed as if it were level.
+TEST(CloudMatching, MeasuresTheRiseOfTheBody) {
+  constexpr double kRise = 0.04;
+  CloudMatching matching{CloudMatchingParams{}};
+  matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, {1, 0, 0.0, 0.0}, {});
+  matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, kRise, 0.0, 0.0, 0.0), 2), 0,
+               {2, 1, 0.0, 0.0}, {});
+  const std::vector<PlacedLocalMap> placed{{{0.0, 0.0, 0.0}, 0.0}, {{kApartM, 0.0, 0.0}, 0.0}};
+  const auto matches =
+      matching.matches(1, [&](int i) { return placed[static_cast<std::size_t>(i)]; });
+  ASSERT_EQ(matches.size(), 1U);
+  const CloudMatch& match = matches[0].match;
+  EXPECT_NEAR(match.rise_m, kRise, 0.01);
+  EXPECT_LT(match.rise_sd_m, 0.015);
+  EXPECT_NEAR(match.lever_m.x(), kApartM, 0.05);
+  EXPECT_EQ(match.older, (CloudPlace{1, 0, 0.0, 0.0}));
+  EXPECT_EQ(match.newer, (CloudPlace{2, 1, 0.0, 0.0}));
 }
 
 TEST(CloudMatching, MatchesNeitherEarlierSessionsNorScansFarAway) {

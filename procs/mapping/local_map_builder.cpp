@@ -37,7 +37,7 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
   }
   T_odom_body_ = match.T_odom_body;
   if (match.status == ScanMatch::Status::kLost) return finished;
-  const bool due = first_map_due(scan.utime);
+  const bool due = first_map_due(scan.utime) || split_due();
   if (!due && !moved_enough(channel, T_odom_body_)) return finished;
   store_scan(channel, scan, match);
   if (!due && distance_travelled_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad)
@@ -73,6 +73,13 @@ void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last,
 bool LocalMapBuilder::first_map_due(std::int64_t utime) const {
   return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
          seconds(utime - map_.utime) >= params_.first_s;
+}
+
+/// Where the body stands, not where it stored its last scan.
+bool LocalMapBuilder::split_due() {
+  if (!std::exchange(due_, false) || map_.scans.empty()) return false;
+  const double moved_m = between(T_odom_stored_, T_odom_body_).translation().norm();
+  return distance_travelled_m_ + moved_m >= params_.split_min_m;
 }
 
 bool LocalMapBuilder::moved_enough(const std::string& channel, const Pose2& T_odom_body) const {

@@ -19,6 +19,9 @@ namespace adit {
 struct LocalMapBuilderParams {
   double length_m = 5.0;             ///< path length of a local map (paper, section 2.1)
   double turn_max_rad = 6.3;         ///< accumulated turn after which it is finished, however short
+  /// A 3D scan begins a new local map if the current one has this path length, so that matches of
+  /// 3D scans relate local maps without the error of the path between.
+  double split_min_m = 1.0;
   double keyframe_distance_m = 0.1;  ///< a scan is stored after this motion of its laser
   double keyframe_angle_rad = 0.1;   ///< or this turn
   double first_s = 0.5;  ///< duration of the first local map of a later session, for a body at rest
@@ -28,6 +31,7 @@ struct LocalMapBuilderParams {
   void visit(V& v) {
     v("length_m", length_m, within(0.1, 1000.0));
     v("turn_max_rad", turn_max_rad, within(0.1, 1000.0));
+    v("split_min_m", split_min_m, within(0.0, 1000.0));
     v("keyframe_distance_m", keyframe_distance_m, at_least(0.0));
     v("keyframe_angle_rad", keyframe_angle_rad, at_least(0.0));
     v("first_s", first_s, within(0.0, 60.0));
@@ -36,8 +40,8 @@ struct LocalMapBuilderParams {
 };
 
 /// Splits the traversed path into local maps (paper, section 2.1). Path length and turn are
-/// measured between stored scans, so that a standing body makes no maps. The last scan of a local
-/// map is the first of the next. When scan matching starts a new odom frame, the current map is
+/// measured between stored scans, so that a standing body makes no maps. A 3D scan begins a local
+/// map as well. The last scan of a local map is the first of the next. When scan matching starts a new odom frame, the current map is
 /// finished and a new session begins. The first local map of a session that continues a map is
 /// short, from what is observed at the start, so that it can be localised before the body moves.
 class LocalMapBuilder {
@@ -56,6 +60,10 @@ class LocalMapBuilder {
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
                               const ScanMatch& match);
 
+  /// The body stands where a 3D scan was taken: the next scan that matches ends the current local
+  /// map, unless that is too short.
+  void begin_at_next_scan() { due_ = true; }
+
   /// Finishes the current local map, if it holds a scan. What follows is a new session.
   std::optional<LocalMap> finish();
 
@@ -73,6 +81,7 @@ class LocalMapBuilder {
 
  private:
   [[nodiscard]] bool first_map_due(std::int64_t utime) const;
+  [[nodiscard]] bool split_due();
   [[nodiscard]] bool moved_enough(const std::string& channel, const Pose2& T_odom_body) const;
   void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
@@ -89,6 +98,7 @@ class LocalMapBuilder {
   double distance_travelled_m_ = 0.0;
   double forward_m_ = 0.0;  ///< travelled forwards in the current local map
   double turn_rad_ = 0.0;
+  bool due_ = false;        ///< to end with the next scan
   bool continues_ = false;  ///< the current local map is the first of a later session
 };
 

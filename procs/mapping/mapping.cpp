@@ -149,6 +149,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
 void Mapping::add(const Cloud& cloud) {
   if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
   new_cloud_ = cloud;
+  builder_.begin_at_next_scan();
 }
 
 /// A cloud of the last odom frame has no place in the current local map.

@@ -26,7 +26,7 @@ struct FrontierRegisterParams {
   /// lasers may take rising ground or a falling roof before it for walls, so it is not too narrow
   /// without other evidence.
   double wide_ratio = 1.5;
-  int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
+  int stalls = 5;  ///< local maps without progress towards the target, after which it is abandoned
 
   template <class V>
   void visit(V& v) {

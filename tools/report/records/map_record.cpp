@@ -3,7 +3,6 @@
 #include "tools/report/records/map_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -14,24 +13,6 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kQueued = 1000;
-constexpr double kStepM = 0.05;
-constexpr double kStepRad = 0.02;
-constexpr std::int64_t kStepUs = 1'000'000;
-
-/// Appends a pose. The last pose is always kept; it is replaced until it is a step away from the
-/// previous one.
-void append_thinned(const StampedPose& pose, Trajectory& poses) {
-  if (!poses.empty() && pose.utime <= poses.back().utime) return;
-  if (poses.size() > 1) {
-    const TimedPose& previous = poses[poses.size() - 2];
-    const Pose2 step = between(previous.pose, pose.T_odom_body);
-    const bool is_step = step.translation().norm() >= kStepM || std::abs(step.theta) >= kStepRad ||
-                         pose.utime - previous.utime >= kStepUs;
-    if (!is_step) poses.pop_back();
-  }
-  poses.push_back({pose.utime, pose.T_odom_body, pose.z_m});
-}
-
 }  // namespace
 
 MapRecord::MapRecord(Bus& bus) {
@@ -46,9 +27,13 @@ MapRecord::MapRecord(Bus& bus) {
             .on_contradictions =
                 [this](MapContradictions found) { contradictions_ = std::move(found.pairs); }});
   subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kQueued),
-                    [this](const StampedPose& pose) { append_thinned(pose, odometry_); });
+                    [this](const StampedPose& pose) {
+                      odometry_.add({pose.utime, pose.T_odom_body, pose.z_m});
+                    });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kQueued),
-                    [this](const StampedPose& pose) { append_thinned(pose, truth_); });
+                    [this](const StampedPose& pose) {
+                      truth_.add({pose.utime, pose.T_odom_body, pose.z_m});
+                    });
 }
 
 void MapRecord::on_association(const Association& association) {

@@ -15,6 +15,7 @@
 #include "common/types/map_contradictions.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/map/run_record.hpp"
+#include "tools/report/records/thinned_trajectory.hpp"
 
 namespace adit {
 
@@ -38,9 +39,9 @@ class MapRecord {
   }
 
   /// T_odom_body, thinned. The odom frame may change after a restart of scan_matching.
-  [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
+  [[nodiscard]] const Trajectory& odometry() const { return odometry_.poses(); }
   /// T_world_body of the simulator, thinned; empty for a real robot.
-  [[nodiscard]] const Trajectory& truth() const { return truth_; }
+  [[nodiscard]] const Trajectory& truth() const { return truth_.poses(); }
 
  private:
   void on_association(const Association& association);
@@ -50,8 +51,10 @@ class MapRecord {
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;
   std::vector<MapContradiction> contradictions_;
-  Trajectory odometry_;
-  Trajectory truth_;
+  static constexpr double kTruthToleranceM = 0.002;
+  static constexpr double kJitterM = 0.005;  ///< more than scan matching has
+  ThinnedTrajectory odometry_{kJitterM};
+  ThinnedTrajectory truth_{kTruthToleranceM};
 };
 
 }  // namespace adit

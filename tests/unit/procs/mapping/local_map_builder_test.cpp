@@ -94,6 +94,33 @@ TEST(LocalMapBuilder, SharesOneScanBetweenConsecutiveMaps) {
   EXPECT_LT(end.vector().norm(), 1e-12);
 }
 
+/// So that the 3D scan is at its origin, also where the body has not moved since the last stored
+/// scan.
+TEST(LocalMapBuilder, StartsAMapWhereA3DScanWasTaken) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 20; ++i) feed.step({0.15, 0.0, 0.0});
+  feed.step({0.05, 0.0, 0.0});
+  ASSERT_TRUE(feed.maps.empty());
+  feed.builder().begin_at_next_scan();
+  feed.scan(Status::kMatched);
+  ASSERT_EQ(feed.maps.size(), 1U);
+  EXPECT_NEAR(feed.builder().current().T_odom_local.x, 3.05, 1e-9);
+  EXPECT_NEAR(feed.maps[0].scans.back().T_local_body.x, 3.05, 1e-9);
+  for (int i = 0; i < 40; ++i) feed.step({0.1, 0.0, 0.0});
+  EXPECT_EQ(feed.maps.size(), 1U);
+}
+
+TEST(LocalMapBuilder, StartsNoMapWhereTwo3DScansAreNearEachOther) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 6; ++i) feed.step({0.15, 0.0, 0.0});
+  feed.builder().begin_at_next_scan();
+  feed.scan(Status::kMatched);
+  for (int i = 0; i < 6; ++i) feed.step({0.15, 0.0, 0.0});  // not later either
+  EXPECT_TRUE(feed.maps.empty());
+}
+
 TEST(LocalMapBuilder, StoresAScanEveryTenthOfAMetreOrRadian) {
   Feed feed;
   feed.scan(Status::kFirstScan);

@@ -8,13 +8,15 @@
 #include <span>
 #include <vector>
 
-#include "drivers/laser/laser_device.hpp"
+#include "drivers/device/device_protocol.hpp"
+
+#include "common/sensing/laser_scan.hpp"
 
 namespace adit {
 
-/// A driver and an emulated laser on one line, in simulated time: bytes arrive at the driver when
+/// A driver and an emulated device on one line, in simulated time: bytes arrive at the driver when
 /// it is scheduled, some of them damaged, none while the cable is pulled.
-template <class Emulator>
+template <class Emulator, class Reading = LaserScan>
 class LaserLine {
  public:
   struct Faults {
@@ -24,7 +26,9 @@ class LaserLine {
     bool is_pulled = false;
   };
 
-  LaserLine(LaserDevice& device, Emulator& laser) : device_(device), laser_(laser) {}
+  /// `tick_us`: period of the timeouts of the driver.
+  LaserLine(ReadingDevice<Reading>& device, Emulator& laser, std::int64_t tick_us = kTurnUs)
+      : device_(device), laser_(laser), tick_us_(tick_us) {}
 
   Faults faults;
 
@@ -34,9 +38,9 @@ class LaserLine {
     obey();
   }
 
-  /// Runs until this time; `on_scan` gets each scan and the time at which the driver had it.
+  /// Runs until this time; `on_reading` gets each reading and the time at which the driver had it.
   void run_until(std::int64_t utime,
-                 const std::function<void(const LaserScan&, std::int64_t)>& on_scan) {
+                 const std::function<void(const Reading&, std::int64_t)>& on_reading) {
     while (now_ < utime) {
       now_ += kTurnUs;
       if (std::uniform_real_distribution<>()(random_) < faults.late_share) now_ += faults.late_us;
@@ -44,9 +48,12 @@ class LaserLine {
       for (const auto& timed : laser_.advance(now_, baud_)) bytes.push_back(damaged(timed.byte));
       if (faults.is_pulled) bytes.clear();
       if (!bytes.empty()) {
-        for (const LaserScan& scan : device_.receive(bytes, now_)) on_scan(scan, now_);
+        for (const Reading& reading : device_.receive(bytes, now_)) on_reading(reading, now_);
       }
-      device_.tick(now_);
+      if (now_ >= next_tick_us_) {
+        device_.tick(now_);
+        next_tick_us_ = now_ + tick_us_;
+      }
       obey();
     }
   }
@@ -68,10 +75,12 @@ class LaserLine {
     }
   }
 
-  LaserDevice& device_;
+  ReadingDevice<Reading>& device_;
   Emulator& laser_;
+  std::int64_t tick_us_;
   std::mt19937 random_{3};
   std::int64_t now_ = 0;
+  std::int64_t next_tick_us_ = 0;
   int baud_ = 0;
 };
 

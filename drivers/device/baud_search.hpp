@@ -21,14 +21,14 @@ class BaudSearch {
 
   [[nodiscard]] int current() const { return bauds_[index_]; }
 
-  /// The next one. True if all were tried since the device was last heard.
+  /// The next one. True if all were tried since the device was last received.
   bool advance() {
     index_ = (index_ + 1) % bauds_.size();
     ++tried_;
     return tried_ >= bauds_.size();
   }
 
-  /// The device was heard at the current rate.
+  /// The device was received at the current rate.
   void found() { tried_ = 0; }
 
  private:

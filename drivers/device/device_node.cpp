@@ -69,7 +69,8 @@ void DeviceNode::report_gaps(std::int64_t now_us) {
   const std::string program = "adit-" + options_.name;
   const std::string problem = port_.failure().empty() ? device_.problem() : port_.failure();
   if (is_lost) {
-    print_error(program, fmt::format("no {}: {}", options_.readings, problem));
+    print_error(program,
+                fmt::format("no {}{}{}", options_.readings, problem.empty() ? "" : ": ", problem));
   } else if (gap_end_us_) {
     print_error(program, fmt::format("{} again, after {:.1f} s", options_.readings, gap_s_));
   } else {

@@ -31,6 +31,28 @@ inline const std::vector<std::string>& laser_driver_names() {
   return names;
 }
 
+/// The drivers of which a robot has one, with the section of their name.
+inline const std::vector<std::string>& single_driver_names() {
+  static const std::vector<std::string> names{"base_serial"};
+  return names;
+}
+
+/// The programs in drivers/, without adit-.
+inline std::vector<std::string> driver_names() {
+  std::vector<std::string> names = laser_driver_names();
+  for (const std::string& driver : single_driver_names()) names.push_back(driver);
+  return names;
+}
+
+/// The sections of all drivers.
+inline std::vector<std::string> driver_sections() {
+  std::vector<std::string> names = single_driver_names();
+  for (const std::string& driver : laser_driver_names()) {
+    for (const char* laser : {"front", "rear"}) names.push_back(driver + "_" + laser);
+  }
+  return names;
+}
+
 /// All sections of the configuration file: those of the stages, the shared ones, the simulator's,
 /// the viewer's and those of the drivers.
 inline std::vector<std::string> config_sections() {
@@ -40,9 +62,7 @@ inline std::vector<std::string> config_sections() {
   names.emplace_back(SealParams::kSection);
   names.emplace_back(kSimSection);
   names.emplace_back(kViewerSection);
-  for (const std::string& driver : laser_driver_names()) {
-    for (const char* laser : {"front", "rear"}) names.push_back(driver + "_" + laser);
-  }
+  for (const std::string& section : driver_sections()) names.push_back(section);
   return names;
 }
 

@@ -20,9 +20,10 @@ template <class Emulator, class Reading = LaserScan>
 class LaserLine {
  public:
   struct Faults {
-    double corrupt_share = 0.0;  ///< of the bytes to the driver
-    double late_share = 0.0;     ///< of the turns of the driver: it is scheduled late,
-    std::int64_t late_us = 0;    ///< by this time
+    double corrupt_share = 0.0;    ///< of the bytes to the driver
+    double to_device_share = 0.0;  ///< of the bytes to the device, corrupt as well
+    double late_share = 0.0;       ///< of the turns of the driver: it is scheduled late,
+    std::int64_t late_us = 0;      ///< by this time
     bool is_pulled = false;
   };
 
@@ -34,6 +35,7 @@ class LaserLine {
 
   void start(std::int64_t utime) {
     now_ = utime;
+    laser_.advance(now_, baud_);  // what it sent before is lost
     device_.start(now_);
     obey();
   }
@@ -45,7 +47,8 @@ class LaserLine {
       now_ += kTurnUs;
       if (std::uniform_real_distribution<>()(random_) < faults.late_share) now_ += faults.late_us;
       std::vector<std::uint8_t> bytes;
-      for (const auto& timed : laser_.advance(now_, baud_)) bytes.push_back(damaged(timed.byte));
+      for (const auto& timed : laser_.advance(now_, baud_))
+        bytes.push_back(damaged(timed.byte, faults.corrupt_share));
       if (faults.is_pulled) bytes.clear();
       if (!bytes.empty()) {
         for (const Reading& reading : device_.receive(bytes, now_)) on_reading(reading, now_);
@@ -63,15 +66,20 @@ class LaserLine {
  private:
   static constexpr std::int64_t kTurnUs = 500;
 
-  std::uint8_t damaged(std::uint8_t byte) {
-    if (std::uniform_real_distribution<>()(random_) >= faults.corrupt_share) return byte;
+  std::uint8_t damaged(std::uint8_t byte, double share) {
+    if (std::uniform_real_distribution<>()(random_) >= share) return byte;
     return static_cast<std::uint8_t>(random_());
   }
 
   void obey() {
     for (const PortRequest& request : device_.take_requests()) {
       if (request.baud) baud_ = *request.baud;
-      if (!faults.is_pulled) laser_.receive(request.bytes, baud_, now_);
+      if (faults.is_pulled) continue;
+      std::vector<std::uint8_t> bytes = request.bytes;
+      if (faults.to_device_share > 0.0) {
+        for (std::uint8_t& byte : bytes) byte = damaged(byte, faults.to_device_share);
+      }
+      laser_.receive(bytes, baud_, now_);
     }
   }
 

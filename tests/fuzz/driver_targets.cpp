@@ -14,9 +14,11 @@
 #include "drivers/base_serial/base_serial.hpp"
 #include "drivers/scip/scip.hpp"
 #include "drivers/sick_lms2xx/sick_lms2xx.hpp"
+#include "drivers/tilt/servo.hpp"
 
 #include "tests/fuzz/targets.hpp"
 #include "tests/support/devices/base_emulator.hpp"
+#include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/lms_emulator.hpp"
 #include "tests/support/lasers/scip_emulator.hpp"
 
@@ -164,8 +166,28 @@ Target base_target() {
           }};
 }
 
+/// Each read has an answer or a part of one.
+Target tilt_target() {
+  ServoEmulator servo({.line_has_time = false});
+  servo.already_holds(kBeginUs - 1'000'000, 2000);
+  TiltServo device({});
+  return {"tilt", {conversation(device, servo)}, [](std::span<const std::uint8_t> bytes) {
+            constexpr std::size_t kReadBytes = 27;
+            TiltServo fuzzed({});
+            fuzzed.command({kBeginUs, 0.3, 0.5});
+            return replay<TiltReading>(fuzzed, bytes, kReadBytes, [](const TiltReading& reading) {
+              if (!std::isfinite(reading.angle_rad) || !std::isfinite(reading.rate_rad_s)) {
+                fail("an angle that is not finite");
+              }
+              return reading.utime;
+            });
+          }};
+}
+
 }  // namespace
 
-std::vector<Target> driver_targets() { return {lms_target(), scip_target(), base_target()}; }
+std::vector<Target> driver_targets() {
+  return {lms_target(), scip_target(), base_target(), tilt_target()};
+}
 
 }  // namespace adit::fuzz

@@ -24,10 +24,10 @@ inline constexpr const char* kSimSection = "sim";
 /// The section of the viewer, a process that is not a stage.
 inline constexpr const char* kViewerSection = "viewer";
 
-/// The drivers of lasers in drivers/; each runs once for each laser of its kind, with a section of
-/// its own, <driver>_front or <driver>_rear.
+/// The drivers of lasers and of what tilts them; each runs once for each laser of its kind, with a
+/// section of its own, <driver>_front or <driver>_rear.
 inline const std::vector<std::string>& laser_driver_names() {
-  static const std::vector<std::string> names{"sick_lms2xx", "scip"};
+  static const std::vector<std::string> names{"sick_lms2xx", "scip", "tilt"};
   return names;
 }
 

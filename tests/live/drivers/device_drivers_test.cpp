@@ -4,6 +4,7 @@
 // and LCM.
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "common/messages/sensing.hpp"
 #include "tests/live/drivers/live_driver.hpp"
 #include "tests/support/devices/base_emulator.hpp"
+#include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/pty_line.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -120,6 +122,79 @@ TEST(BaseSerialLive, DrivesAndStopsThroughAllThatHappensToABase) {
   line.line().plug();
   ASSERT_TRUE(live.more_readings_arrive(50));
   EXPECT_TRUE(live.has_health(Level::kDegraded, "gaps since the start")) << live.health->reason;
+  EXPECT_EQ(live.driver().terminate(), 0);
+}
+
+/// Angles are wrong that are not what the servo measured for one of its last answers.
+class LiveTilt : public LiveDriver<PtyLaser<ServoEmulator>> {
+ public:
+  LiveTilt(ServoEmulator& servo, PtyLaser<ServoEmulator>& line) : LiveDriver(line), servo_(servo) {
+    subscribe<tilt_t>(bus(), channels::kTiltRear, Delivery::queued(1000),
+                      [this](const TiltReading& reading) { check(reading); });
+  }
+
+  void command(double goal_rad) {
+    publish(bus(), channels::kTiltCommandRear,
+            to_message(TiltCommand{wall_utime(), goal_rad, 0.5}));
+  }
+
+  double angle_rad = 0.0;
+
+ private:
+  void check(const TiltReading& reading) {
+    ++readings;
+    angle_rad = reading.angle_rad;
+    constexpr double kRadPerPosition = 2.0 * std::numbers::pi / 4096.0;
+    bool is_measured = false;
+    for (const auto& sample : servo_.samples()) {
+      const double off_rad = reading.angle_rad - (sample.position - 2048.0) * kRadPerPosition;
+      const double off_ms = 1e-3 * static_cast<double>(reading.utime - sample.utime);
+      if (std::abs(off_rad) > 0.51 * kRadPerPosition) continue;
+      if (!is_measured || std::abs(off_ms) < std::abs(stamp_error_ms)) stamp_error_ms = off_ms;
+      is_measured = true;
+    }
+    if (!is_measured) ++wrong;
+  }
+
+  ServoEmulator& servo_;
+};
+
+TEST(TiltLive, TiltsALaserThroughAllThatHappensToAServo) {
+  const test::ScratchFolder folder;
+  ServoEmulator servo({.baud = 115200, .boot_s = 0.2, .position = 2100.0});
+  PtyLaser<ServoEmulator> line(folder / "servo", servo);
+  LiveTilt live(servo, line);
+  live.start(ADIT_TILT, "rear",
+             fmt::format("tilt_rear: {{device: {}}}\n", (folder / "servo").string()));
+  ASSERT_TRUE(live.has_health(Level::kFault));
+  EXPECT_EQ(live.readings, 0);
+
+  servo.power_on(wall_utime());
+  ASSERT_TRUE(live.more_readings_arrive(1));
+  ASSERT_TRUE(live.has_health(Level::kOk)) << live.health->reason;
+  live.command(0.4);
+  ASSERT_TRUE(live.run_until([&] { return std::abs(live.angle_rad - 0.4) < 0.002; }));
+  live.command(-0.4);
+  EXPECT_LT(live.core_share(100), kCoreShareMax);
+  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  EXPECT_EQ(live.check_driver(ADIT, "TILT_REAR"), 0);
+
+  line.corrupt_share = 0.01;
+  ASSERT_TRUE(live.more_readings_arrive(100));
+  line.corrupt_share = 0.0;
+
+  servo.power_off();
+  ASSERT_TRUE(live.has_health(Level::kFault));
+  servo.power_on(wall_utime());
+  ASSERT_TRUE(live.more_readings_arrive(50));
+  EXPECT_TRUE(servo.torque());
+
+  line.line().unplug();
+  ASSERT_TRUE(live.has_health(Level::kFault, "servo"));
+  line.line().plug();
+  ASSERT_TRUE(live.more_readings_arrive(50));
+  EXPECT_TRUE(live.has_health(Level::kDegraded, "gaps since the start")) << live.health->reason;
+  EXPECT_EQ(live.wrong, 0);
   EXPECT_EQ(live.driver().terminate(), 0);
 }
 

@@ -37,14 +37,20 @@ std::int64_t DeviceNode::to_wall_us() { return wall_utime() - steady_us(); }
 void DeviceNode::poll() {
   const std::int64_t now_us = steady_us();
   if (port_.open_if_due(now_us)) device_.start(now_us);
-  receive(now_us);
+  receive();
   obey();
-  report_gaps(now_us);
+  report_gaps(steady_us());
   watch_line(now_us);
 }
 
-void DeviceNode::receive(std::int64_t now_us) {
-  for (auto bytes = port_.read(); !bytes.empty(); bytes = port_.read()) {
+void DeviceNode::receive() {
+  bool has_more = true;
+  while (has_more) {
+    const auto bytes = port_.read();
+    if (bytes.empty()) return;
+    has_more = bytes.size() == ReconnectingPort::kReadBytesMax;
+    // Behind the read: interrupted in between, a time before it would be earlier than the bytes.
+    const std::int64_t now_us = steady_us();
     if (receive_(bytes, now_us) == 0) continue;
     if (last_reading_us_ && now_us - *last_reading_us_ > options_.gap_us) {
       ++gaps_;

@@ -53,7 +53,7 @@ class DeviceNode {
 
  private:
   void poll();
-  void receive(std::int64_t now_us);
+  void receive();
   void report_gaps(std::int64_t now_us);
   void watch_line(std::int64_t now_us);
 

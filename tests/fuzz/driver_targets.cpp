@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz targets for what devices send: whole conversations, from the first answer to readings.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -12,12 +14,14 @@
 #include <vector>
 
 #include "drivers/base_serial/base_serial.hpp"
+#include "drivers/imu_vectornav/vectornav.hpp"
 #include "drivers/scip/scip.hpp"
 #include "drivers/sick_lms2xx/sick_lms2xx.hpp"
 #include "drivers/tilt/servo.hpp"
 
 #include "tests/fuzz/targets.hpp"
 #include "tests/support/devices/base_emulator.hpp"
+#include "tests/support/devices/imu_emulator.hpp"
 #include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/lms_emulator.hpp"
 #include "tests/support/lasers/scip_emulator.hpp"
@@ -35,6 +39,7 @@ Bytes conversation(
     Device& device, Emulator& laser,
     const std::function<void(Device&, std::int64_t)>& obey = [](Device&, std::int64_t) {}) {
   Bytes sent;
+  std::size_t enough = 3000;
   int baud = 0;
   device.start(kBeginUs);
   for (std::int64_t now_us = kBeginUs; now_us < kBeginUs + 2'000'000; now_us += 1000) {
@@ -50,7 +55,8 @@ Bytes conversation(
       obey(device, now_us);
       device.tick(now_us);
     }
-    if (device.is_streaming() && sent.size() > 3000) break;
+    if (!device.is_streaming()) enough = std::max(enough, sent.size() + 1000);
+    if (sent.size() > enough) break;
   }
   return sent;
 }
@@ -184,10 +190,29 @@ Target tilt_target() {
           }};
 }
 
+Target imu_target() {
+  ImuEmulator unit({}, [](int number) {
+    return std::array<double, 6>{0.1, 0.2, -9.8, 1e-5 * number, 0.0, 0.3};
+  });
+  unit.already_streams(kBeginUs - 1'000'000, 230400);
+  VectorNav device({});
+  return {
+      "imu_vectornav", {conversation(device, unit)}, [](std::span<const std::uint8_t> bytes) {
+        constexpr std::size_t kReadBytes = 224;
+        VectorNav fuzzed({});
+        return replay<ImuReading>(fuzzed, bytes, kReadBytes, [](const ImuReading& reading) {
+          if (!reading.angular_velocity.allFinite() || !reading.linear_acceleration.allFinite()) {
+            fail("a reading that is not finite");
+          }
+          return reading.utime;
+        });
+      }};
+}
+
 }  // namespace
 
 std::vector<Target> driver_targets() {
-  return {lms_target(), scip_target(), base_target(), tilt_target()};
+  return {lms_target(), scip_target(), base_target(), tilt_target(), imu_target()};
 }
 
 }  // namespace adit::fuzz

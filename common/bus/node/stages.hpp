@@ -33,7 +33,7 @@ inline const std::vector<std::string>& laser_driver_names() {
 
 /// The drivers of which a robot has one, with the section of their name.
 inline const std::vector<std::string>& single_driver_names() {
-  static const std::vector<std::string> names{"base_serial"};
+  static const std::vector<std::string> names{"base_serial", "imu_vectornav"};
   return names;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The processes of drivers of other devices than lasers, with emulated ones on a pseudo-terminal,
 // and LCM.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include "common/messages/sensing.hpp"
 #include "tests/live/drivers/live_driver.hpp"
 #include "tests/support/devices/base_emulator.hpp"
+#include "tests/support/devices/imu_emulator.hpp"
 #include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/pty_line.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -193,6 +195,71 @@ TEST(TiltLive, TiltsALaserThroughAllThatHappensToAServo) {
   ASSERT_TRUE(live.has_health(Level::kFault, "servo"));
   line.line().plug();
   ASSERT_TRUE(live.more_readings_arrive(50));
+  EXPECT_TRUE(live.has_health(Level::kDegraded, "gaps since the start")) << live.health->reason;
+  EXPECT_EQ(live.wrong, 0);
+  EXPECT_EQ(live.driver().terminate(), 0);
+}
+
+/// The rate about x tells the number of the reading.
+class LiveImu : public LiveDriver<PtyLaser<ImuEmulator>> {
+ public:
+  LiveImu(ImuEmulator& unit, PtyLaser<ImuEmulator>& line) : LiveDriver(line), unit_(unit) {
+    subscribe<imu_t>(bus(), channels::kImu, Delivery::queued(1000),
+                     [this](const ImuReading& reading) { check(reading); });
+  }
+
+  static std::array<double, 6> reading(int number) {
+    return {0.1, -0.2, -9.81, 1e-5 * (number % 100'000), 0.001 * (number % 7), -0.3};
+  }
+
+ private:
+  void check(const ImuReading& reading) {
+    ++readings;
+    const auto number = static_cast<int>(std::lround(1e5 * reading.angular_velocity.x()));
+    const int index = number - unit_.first_number();
+    const bool is_right = index >= 0 && index < static_cast<int>(unit_.starts().size()) &&
+                          std::abs(reading.linear_acceleration.z() - 9.81) < 1e-9 &&
+                          std::abs(reading.angular_velocity.z() - 0.3) < 1e-9;
+    wrong += is_right ? 0 : 1;
+    if (!is_right) return;
+    stamp_error_ms =
+        1e-3 * static_cast<double>(reading.utime - unit_.starts()[static_cast<std::size_t>(index)]);
+  }
+
+  ImuEmulator& unit_;
+};
+
+TEST(ImuVectorNavLive, PublishesReadingsThroughAllThatHappensToAnImu) {
+  const test::ScratchFolder folder;
+  ImuEmulator unit({.boot_s = 0.2}, LiveImu::reading);
+  PtyLaser<ImuEmulator> line(folder / "imu", unit);
+  LiveImu live(unit, line);
+  live.start(ADIT_IMU_VECTORNAV, "",
+             fmt::format("imu_vectornav: {{device: {}}}\n", (folder / "imu").string()));
+  ASSERT_TRUE(live.has_health(Level::kFault));
+  EXPECT_EQ(live.readings, 0);
+
+  unit.power_on(wall_utime());
+  ASSERT_TRUE(live.more_readings_arrive(1));
+  ASSERT_TRUE(live.has_health(Level::kOk)) << live.health->reason;
+  ASSERT_TRUE(live.more_readings_arrive(100));
+  EXPECT_LT(live.core_share(500), 0.05);  // a line comes in five parts, each wakes the driver
+  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  EXPECT_EQ(live.check_driver(ADIT, "IMU"), 0);
+
+  line.corrupt_share = 0.002;  // a fifth of the lines
+  ASSERT_TRUE(live.more_readings_arrive(100));
+  line.corrupt_share = 0.0;
+
+  unit.power_off();
+  ASSERT_TRUE(live.has_health(Level::kFault));
+  unit.power_on(wall_utime());
+  ASSERT_TRUE(live.more_readings_arrive(100));
+
+  line.line().unplug();
+  ASSERT_TRUE(live.has_health(Level::kFault, "imu"));
+  line.line().plug();
+  ASSERT_TRUE(live.more_readings_arrive(100));
   EXPECT_TRUE(live.has_health(Level::kDegraded, "gaps since the start")) << live.health->reason;
   EXPECT_EQ(live.wrong, 0);
   EXPECT_EQ(live.driver().terminate(), 0);

@@ -101,11 +101,9 @@ std::string with_comments_removed(const fs::path& path, const std::string& mark)
 TEST(ProcessLists, HaveRowsOfDriversThatOnlyNeedTheirCommentSignsRemoved) {
   const ProcessList list = parse_process_list(
       with_comments_removed(kRoot / "deploy/processes/robot.cfg", "#  "), "robot.cfg");
-  const std::map<std::string, std::string> channels{{"laser_front", "LASER_FRONT"},
-                                                    {"laser_rear", "LASER_REAR"},
-                                                    {"tilt_front", "TILT_FRONT"},
-                                                    {"tilt_rear", "TILT_REAR"},
-                                                    {"base", "VEHICLE_STATE"}};
+  const std::map<std::string, std::string> channels{
+      {"laser_front", "LASER_FRONT"}, {"laser_rear", "LASER_REAR"}, {"tilt_front", "TILT_FRONT"},
+      {"tilt_rear", "TILT_REAR"},     {"base", "VEHICLE_STATE"},    {"imu", "IMU"}};
   for (const auto& [id, channel] : channels) {
     const ListedCommand* const command = list.find(id);
     ASSERT_NE(command, nullptr) << id;

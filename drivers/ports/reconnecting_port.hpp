@@ -33,7 +33,10 @@ class ReconnectingPort {
 
   [[nodiscard]] bool is_open() const { return port_->descriptor() >= 0; }
 
-  /// What has arrived; empty if nothing has, or the port is closed. Valid until the next call.
+  static constexpr std::size_t kReadBytesMax = 4096;
+
+  /// What has arrived, kReadBytesMax at most; empty if nothing has, or the port is closed. Valid
+  /// until the next call.
   std::span<const std::uint8_t> read();
 
   void write(std::span<const std::uint8_t> bytes);
@@ -50,7 +53,7 @@ class ReconnectingPort {
   int epoll_ = -1;
   std::optional<std::int64_t> tried_us_;
   std::string failure_;
-  std::array<std::uint8_t, 4096> buffer_{};
+  std::array<std::uint8_t, kReadBytesMax> buffer_{};
 };
 
 }  // namespace adit

@@ -3,7 +3,6 @@
 #include "drivers/sick_lms2xx/telegram.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace adit {
@@ -49,67 +48,49 @@ std::vector<std::uint8_t> encode_lms_telegram(std::span<const std::uint8_t> cont
 }
 
 void LmsDecoder::add(std::span<const std::uint8_t> bytes, std::int64_t arrival_us, double byte_us) {
-  if (bytes.empty()) return;
-  byte_us_ = byte_us;
-  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-  arrivals_.push_back({buffer_.size(), arrival_us});
+  buffer_.add(bytes, arrival_us, byte_us);
 }
 
 void LmsDecoder::clear() {
-  counts_.garbage_bytes += static_cast<std::int64_t>(buffer_.size());
+  counts_.garbage_bytes += static_cast<std::int64_t>(buffer_.bytes().size());
   buffer_.clear();
-  arrivals_.clear();
 }
 
 bool LmsDecoder::take_nack() { return std::exchange(nack_, false); }
 
-void LmsDecoder::drop(std::size_t bytes) {
-  buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(bytes));
-  for (Arrival& arrival : arrivals_) arrival.end -= std::min(arrival.end, bytes);
-  while (!arrivals_.empty() && arrivals_.front().end == 0) arrivals_.pop_front();
-}
-
 /// Drops what is before the next STX.
 void LmsDecoder::skip_to_start() {
-  const auto start = std::find(buffer_.begin(), buffer_.end(), kStx);
-  for (auto byte = buffer_.begin(); byte != start; ++byte) {
+  const auto& bytes = buffer_.bytes();
+  const auto start = std::find(bytes.begin(), bytes.end(), kStx);
+  for (auto byte = bytes.begin(); byte != start; ++byte) {
     nack_ = nack_ || *byte == kNack;
     if (*byte != kAck && *byte != kNack) ++counts_.garbage_bytes;
   }
-  drop(static_cast<std::size_t>(start - buffer_.begin()));
-}
-
-/// Arrival of the byte before `end`: of its read, minus the bytes behind it on the line.
-std::int64_t LmsDecoder::end_us(std::size_t end) const {
-  for (const Arrival& arrival : arrivals_) {
-    if (arrival.end < end) continue;
-    return arrival.utime - std::llround(static_cast<double>(arrival.end - end) * byte_us_);
-  }
-  return 0;
+  buffer_.drop(static_cast<std::size_t>(start - bytes.begin()));
 }
 
 std::optional<LmsTelegram> LmsDecoder::next() {
   while (true) {
     skip_to_start();
-    if (buffer_.size() < kHeaderBytes) return std::nullopt;
-    const std::size_t content = buffer_[2] + 256U * buffer_[3];
-    const bool is_header = (buffer_[1] & kResponse) != 0 && content > 0 && content <= kContentMax;
+    const std::span<const std::uint8_t> bytes(buffer_.bytes());
+    if (bytes.size() < kHeaderBytes) return std::nullopt;
+    const std::size_t content = bytes[2] + 256U * bytes[3];
+    const bool is_header = (bytes[1] & kResponse) != 0 && content > 0 && content <= kContentMax;
     const std::size_t end = kHeaderBytes + content + kChecksumBytes;
-    if (is_header && buffer_.size() < end) return std::nullopt;
-    const std::span<const std::uint8_t> bytes(buffer_);
+    if (is_header && bytes.size() < end) return std::nullopt;
     if (is_header && lms_checksum(bytes.first(kHeaderBytes + content)) ==
-                         buffer_[end - 2] + 256U * buffer_[end - 1]) {
-      const auto data = buffer_.begin() + kHeaderBytes + 1;
-      LmsTelegram telegram{buffer_[kHeaderBytes],
+                         bytes[end - 2] + 256U * bytes[end - 1]) {
+      const auto data = bytes.begin() + kHeaderBytes + 1;
+      LmsTelegram telegram{bytes[kHeaderBytes],
                            {data, data + static_cast<std::ptrdiff_t>(content) - 1},
-                           end_us(end)};
-      drop(end);
+                           buffer_.end_us(end)};
+      buffer_.drop(end);
       ++counts_.telegrams;
       return telegram;
     }
     if (is_header) ++counts_.corrupt;
     ++counts_.garbage_bytes;
-    drop(1);
+    buffer_.drop(1);
   }
 }
 

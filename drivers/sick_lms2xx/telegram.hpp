@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "drivers/timing/timed_buffer.hpp"
 
 namespace adit {
 
@@ -59,18 +60,9 @@ class LmsDecoder {
   void clear();
 
  private:
-  struct Arrival {
-    std::size_t end = 0;  ///< number of bytes in the buffer up to here
-    std::int64_t utime = 0;
-  };
-
-  void drop(std::size_t bytes);
   void skip_to_start();
-  [[nodiscard]] std::int64_t end_us(std::size_t end) const;
 
-  std::vector<std::uint8_t> buffer_;
-  std::deque<Arrival> arrivals_;
-  double byte_us_ = 0.0;
+  TimedBuffer buffer_;
   bool nack_ = false;
   Counts counts_;
 };

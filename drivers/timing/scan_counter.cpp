@@ -46,15 +46,12 @@ std::optional<std::int64_t> ScanCounter::arrival_us(std::int64_t arrival_us,
     clock_.add(device_us(last_scan_), arrival_us);
     return arrival_us;
   }
-  std::int64_t scan = scan_at(arrival_us);
+  const std::int64_t scan = scan_at(arrival_us);
   if (scan < last_scan_ + scans_min) {
     const bool is_settled = arrival_us - first_arrival_us_ > kSettlingUs;
     if (is_settled && ++contradictions_ <= kContradictionsMax) return std::nullopt;
-    if (is_settled) {
-      reset();
-      return this->arrival_us(arrival_us, scans_min);
-    }
-    scan = last_scan_ + scans_min;
+    reset();  // while it settles: the scans so far were late
+    return this->arrival_us(arrival_us, scans_min);
   }
   contradictions_ = 0;
   last_scan_ = scan;

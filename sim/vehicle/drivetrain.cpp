@@ -31,47 +31,29 @@ double follow(double speed, double target, double seconds, const VehicleModelPar
 }  // namespace
 
 Drivetrain::Drivetrain(const Vehicle& vehicle, const VehicleModelParams& params, std::int64_t utime)
-    : vehicle_(vehicle), params_(params), utime_(utime) {}
+    : vehicle_(vehicle),
+      params_(params),
+      utime_(utime),
+      orders_({params.command_expiry_s, params.stop_order_expiry_s}) {}
 
-void Drivetrain::command(const DriveCommand& command) {
-  if (!std::isfinite(command.speed_m_s) || !std::isfinite(command.curvature_1_m)) return;
-  const std::int64_t utime = std::min(command.utime, utime_);
-  if (command_ && utime < command_->utime) return;
-  const double curvature_max = 1.0 / vehicle_.turning_radius_m;
-  command_ = {utime, std::clamp(command.speed_m_s, -vehicle_.speed_max_m_s, vehicle_.speed_max_m_s),
-              std::clamp(command.curvature_1_m, -curvature_max, curvature_max)};
-}
+void Drivetrain::command(const DriveCommand& command) { orders_.receive(command, utime_, utime_); }
 
-void Drivetrain::command(const StopOrder& order) {
-  std::int64_t utime = std::min(order.utime, utime_);
-  if (order_ && order.stopped) utime = std::max(utime, order_->utime);
-  if (order_ && !order.stopped && utime <= order_->utime) return;
-  order_ = {utime, order.stopped, order.reason};
-  order_received_utime_ = utime_;
-}
+void Drivetrain::command(const StopOrder& order) { orders_.receive(order, utime_, utime_); }
 
 void Drivetrain::advance(double seconds) {
-  const bool braking = stopped() || expired();
+  const auto command = orders_.command(utime_);
   const double before = speed_m_s_;
-  speed_m_s_ = follow(before, braking ? 0.0 : command_->speed_m_s, seconds, params_);
-  if (!braking) {
+  const double speed_max = vehicle_.speed_max_m_s;
+  const double target = command ? std::clamp(command->speed_m_s, -speed_max, speed_max) : 0.0;
+  speed_m_s_ = follow(before, target, seconds, params_);
+  if (command) {
+    const double curvature_max = 1.0 / vehicle_.turning_radius_m;
     curvature_1_m_ =
-        approach(curvature_1_m_, command_->curvature_1_m, params_.steering_rate_1_m_s * seconds);
+        approach(curvature_1_m_, std::clamp(command->curvature_1_m, -curvature_max, curvature_max),
+                 params_.steering_rate_1_m_s * seconds);
   }
   wheel_distance_m_ = 0.5 * (before + speed_m_s_) * seconds;
   utime_ += std::llround(seconds * 1e6);
-}
-
-bool Drivetrain::stopped() const {
-  return order_ && (order_->stopped || is_past(order_received_utime_, params_.stop_order_expiry_s));
-}
-
-bool Drivetrain::expired() const {
-  return !command_ || is_past(command_->utime, params_.command_expiry_s);
-}
-
-bool Drivetrain::is_past(std::int64_t utime, double expiry_s) const {
-  return seconds(utime_ - utime) >= expiry_s;
 }
 
 void Battery::draw(double speed_m_s, double rise, double seconds) {

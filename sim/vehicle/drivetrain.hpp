@@ -3,23 +3,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
+#include "common/types/drive_orders.hpp"
 #include "common/types/vehicle.hpp"
 #include "common/types/vehicle_state.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
 
 namespace adit {
 
-/// Motors, brakes and steering: selects the active command and lets speed and curvature follow it.
-///
-/// Drive commands that are not finite or older than the last one are ignored; speed and curvature
-/// are clamped to the vehicle's limits. A time in the future counts as now. Without a command
-/// younger than the expiry, or under a stop order, the brakes are on and the steering is held. A
-/// stop order takes effect whatever its time, since the clock of its sender may have jumped back;
-/// only an order newer than all previous ones releases it. After the first order, orders must keep
-/// arriving: otherwise their sender is assumed dead, and the vehicle stands until a valid order
-/// arrives. If no order has ever arrived, drive commands alone control the vehicle.
+/// Motors, brakes and steering: lets speed and curvature follow the drive command in effect
+/// (DriveOrders), clamped to the vehicle's limits. Without one the brakes are on and the steering
+/// is held.
 class Drivetrain {
  public:
   Drivetrain(const Vehicle& vehicle, const VehicleModelParams& params, std::int64_t utime);
@@ -39,18 +33,14 @@ class Drivetrain {
   /// Distance that the wheels rolled in the last advance(), along the body's x axis.
   [[nodiscard]] double wheel_distance_m() const { return wheel_distance_m_; }
   /// Stopped by an order, or because orders timed out.
-  [[nodiscard]] bool stopped() const;
-  [[nodiscard]] bool expired() const;
+  [[nodiscard]] bool stopped() const { return orders_.stopped(utime_); }
+  [[nodiscard]] bool expired() const { return orders_.expired(utime_); }
 
  private:
-  [[nodiscard]] bool is_past(std::int64_t utime, double expiry_s) const;
-
   Vehicle vehicle_;
   VehicleModelParams params_;
   std::int64_t utime_;
-  std::optional<DriveCommand> command_;
-  std::optional<StopOrder> order_;
-  std::int64_t order_received_utime_ = 0;  ///< by the vehicle's clock
+  DriveOrders orders_;
   double speed_m_s_ = 0.0;
   double curvature_1_m_ = 0.0;
   double wheel_distance_m_ = 0.0;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz targets for what devices send: whole conversations with a laser, from its first answer to
-// scans.
+// Fuzz targets for what devices send: whole conversations, from the first answer to readings.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -12,10 +13,16 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/base_serial/base_serial.hpp"
+#include "drivers/imu_vectornav/vectornav.hpp"
 #include "drivers/scip/scip.hpp"
 #include "drivers/sick_lms2xx/sick_lms2xx.hpp"
+#include "drivers/tilt/servo.hpp"
 
 #include "tests/fuzz/targets.hpp"
+#include "tests/support/devices/base_emulator.hpp"
+#include "tests/support/devices/imu_emulator.hpp"
+#include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/lms_emulator.hpp"
 #include "tests/support/lasers/scip_emulator.hpp"
 
@@ -24,12 +31,15 @@ namespace {
 
 constexpr std::int64_t kBeginUs = 100'000'000;
 constexpr std::int64_t kTurnUs = 20'000;
-constexpr std::size_t kReadBytes = 400;
 
-/// All that a laser sends to this driver in two seconds.
-template <class Emulator>
-Bytes conversation(LaserDevice& device, Emulator& laser) {
+/// All that a device sends to its driver in two seconds. `obey` lets the driver obey an order at a
+/// time.
+template <class Device, class Emulator>
+Bytes conversation(
+    Device& device, Emulator& laser,
+    const std::function<void(Device&, std::int64_t)>& obey = [](Device&, std::int64_t) {}) {
   Bytes sent;
+  std::size_t enough = 3000;
   int baud = 0;
   device.start(kBeginUs);
   for (std::int64_t now_us = kBeginUs; now_us < kBeginUs + 2'000'000; now_us += 1000) {
@@ -41,41 +51,59 @@ Bytes conversation(LaserDevice& device, Emulator& laser) {
     for (const auto& timed : laser.advance(now_us, baud)) bytes.push_back(timed.byte);
     sent.insert(sent.end(), bytes.begin(), bytes.end());
     device.receive(bytes, now_us);
-    device.tick(now_us);
-    if (device.is_streaming() && sent.size() > 3000) break;
+    if (now_us % kTurnUs == 0) {
+      obey(device, now_us);
+      device.tick(now_us);
+    }
+    if (!device.is_streaming()) enough = std::max(enough, sent.size() + 1000);
+    if (sent.size() > enough) break;
   }
   return sent;
 }
 
-/// Gives a new driver these bytes in reads of some hundred. Scans must be ordered and have the
-/// beams of the laser. Returns the reason for rejection: no scan was found.
-std::string_view replay(LaserDevice& device, std::span<const std::uint8_t> bytes,
-                        std::size_t beams_max) {
+[[noreturn]] void fail(const char* what) {
+  std::cerr << what << "\n";
+  std::abort();
+}
+
+/// Gives a new driver these bytes in reads of this number. Returns the reason for rejection: no
+/// reading was found. `utime_of` checks a reading and returns its time.
+template <class Reading>
+std::string_view replay(ReadingDevice<Reading>& device, std::span<const std::uint8_t> bytes,
+                        std::size_t read_bytes,
+                        const std::function<std::int64_t(const Reading&)>& utime_of) {
   std::int64_t now_us = kBeginUs;
   bool found = false;
   std::int64_t last_us = 0;
   device.start(now_us);
-  for (std::size_t i = 0; i < bytes.size(); i += kReadBytes) {
+  for (std::size_t i = 0; i < bytes.size(); i += read_bytes) {
     now_us += kTurnUs;
     device.take_requests();
-    for (const LaserScan& scan :
-         device.receive(bytes.subspan(i, std::min(kReadBytes, bytes.size() - i)), now_us)) {
-      if (scan.ranges_m.empty() || scan.ranges_m.size() > beams_max ||
-          !std::isfinite(scan.angle_min_rad) || !(scan.angle_step_rad > 0.0)) {
-        std::cerr << "a scan that no laser measures\n";
-        std::abort();
-      }
+    for (const Reading& reading :
+         device.receive(bytes.subspan(i, std::min(read_bytes, bytes.size() - i)), now_us)) {
+      last_us = utime_of(reading);
       found = true;
-      last_us = scan.utime;
     }
     device.tick(now_us);
   }
   if (std::abs(last_us - kBeginUs) > 1'000'000'000 && found) {
-    std::cerr << "a scan that was measured minutes before or behind its arrival\n";
-    std::abort();
+    fail("a reading that was measured minutes before or behind its arrival");
   }
   for (int i = 0; i < 50; ++i) device.tick(now_us += 1'000'000);  // all timeouts
-  return found ? "" : "no scan";
+  return found ? "" : "no reading";
+}
+
+/// Scans must have the beams of the laser.
+std::string_view replay_laser(LaserDevice& device, std::span<const std::uint8_t> bytes,
+                              std::size_t beams_max) {
+  constexpr std::size_t kReadBytes = 400;
+  return replay<LaserScan>(device, bytes, kReadBytes, [beams_max](const LaserScan& scan) {
+    if (scan.ranges_m.empty() || scan.ranges_m.size() > beams_max ||
+        !std::isfinite(scan.angle_min_rad) || !(scan.angle_step_rad > 0.0)) {
+      fail("a scan that no laser measures");
+    }
+    return scan.utime;
+  });
 }
 
 SickLms2xxParams lms_params() {
@@ -102,7 +130,7 @@ Target lms_target() {
   SickLms2xx device(lms_params(), LaserId::kFront);
   return {"sick_lms2xx", {conversation(device, laser)}, [](std::span<const std::uint8_t> bytes) {
             SickLms2xx fuzzed(lms_params(), LaserId::kFront);
-            return replay(fuzzed, bytes, 181);
+            return replay_laser(fuzzed, bytes, 181);
           }};
 }
 
@@ -114,12 +142,77 @@ Target scip_target() {
   Scip device(scip_params(), LaserId::kFront);
   return {"scip", {conversation(device, laser)}, [](std::span<const std::uint8_t> bytes) {
             Scip fuzzed(scip_params(), LaserId::kFront);
-            return replay(fuzzed, bytes, 100'001);
+            return replay_laser(fuzzed, bytes, 100'001);
           }};
+}
+
+Target base_target() {
+  BaseEmulator base({});
+  base.already_streams(kBeginUs - 1'000'000);
+  BaseSerial device({});
+  const auto obey = [](BaseSerial& driven, std::int64_t now_us) {
+    driven.obey(DriveCommand{now_us, 0.5, 0.3}, now_us, now_us);
+  };
+  return {"base_serial",
+          {conversation<BaseSerial, BaseEmulator>(device, base, obey)},
+          [](std::span<const std::uint8_t> bytes) {
+            constexpr std::size_t kReadBytes = 30;
+            BaseSerial fuzzed({});
+            return replay<BaseReading>(fuzzed, bytes, kReadBytes, [](const BaseReading& reading) {
+              const auto& pose = reading.odometry.T_wheel_body;
+              const auto& state = reading.state;
+              if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.theta) ||
+                  !std::isfinite(state.speed_m_s) || !std::isfinite(state.curvature_1_m) ||
+                  !(state.battery_share >= 0.0 && state.battery_share <= 1.0) ||
+                  std::hypot(pose.x, pose.y) > 100.0) {
+                fail("a state that no base is in");
+              }
+              return reading.odometry.utime;
+            });
+          }};
+}
+
+/// Each read has an answer or a part of one.
+Target tilt_target() {
+  ServoEmulator servo({.line_has_time = false});
+  servo.already_holds(kBeginUs - 1'000'000, 2000);
+  TiltServo device({});
+  return {"tilt", {conversation(device, servo)}, [](std::span<const std::uint8_t> bytes) {
+            constexpr std::size_t kReadBytes = 27;
+            TiltServo fuzzed({});
+            fuzzed.command({kBeginUs, 0.3, 0.5});
+            return replay<TiltReading>(fuzzed, bytes, kReadBytes, [](const TiltReading& reading) {
+              if (!std::isfinite(reading.angle_rad) || !std::isfinite(reading.rate_rad_s)) {
+                fail("an angle that is not finite");
+              }
+              return reading.utime;
+            });
+          }};
+}
+
+Target imu_target() {
+  ImuEmulator unit({}, [](int number) {
+    return std::array<double, 6>{0.1, 0.2, -9.8, 1e-5 * number, 0.0, 0.3};
+  });
+  unit.already_streams(kBeginUs - 1'000'000, 230400);
+  VectorNav device({});
+  return {
+      "imu_vectornav", {conversation(device, unit)}, [](std::span<const std::uint8_t> bytes) {
+        constexpr std::size_t kReadBytes = 224;
+        VectorNav fuzzed({});
+        return replay<ImuReading>(fuzzed, bytes, kReadBytes, [](const ImuReading& reading) {
+          if (!reading.angular_velocity.allFinite() || !reading.linear_acceleration.allFinite()) {
+            fail("a reading that is not finite");
+          }
+          return reading.utime;
+        });
+      }};
 }
 
 }  // namespace
 
-std::vector<Target> driver_targets() { return {lms_target(), scip_target()}; }
+std::vector<Target> driver_targets() {
+  return {lms_target(), scip_target(), base_target(), tilt_target(), imu_target()};
+}
 
 }  // namespace adit::fuzz

@@ -60,16 +60,21 @@ constexpr double kScanAgeMinMs = 2.0;
 constexpr double kTimeoutS = 0.25;
 constexpr double kSlowTimeoutS = 1.5;
 
+constexpr double kJitterMs = 2.0;
+// A servo measures when it is asked, which is when its driver is scheduled; with the right stamps
+// that is harmless.
+constexpr double kAskedJitterMs = 8.0;
+
 const std::array<DriverChannel, 9> kChannels{
-    {{channels::kLaserFront, 5.0, kScanAgeMinMs, kTimeoutS, read<planar_lidar_t>},
-     {channels::kLaserRear, 5.0, kScanAgeMinMs, kTimeoutS, read<planar_lidar_t>},
-     {channels::kTiltFront, 20.0, 0.0, kTimeoutS, read<tilt_t>},
-     {channels::kTiltRear, 20.0, 0.0, kTimeoutS, read<tilt_t>},
-     {channels::kWheelOdometry, 10.0, 0.0, 0.5, read<wheel_odometry_t>},
-     {channels::kImu, 50.0, 0.0, kTimeoutS, read<imu_t>},
-     {channels::kVehicleState, 5.0, 0.0, kTimeoutS, read<vehicle_state_t>},
-     {channels::kGas, 1.0, 0.0, kSlowTimeoutS, read<gas_t>},
-     {channels::kSinkage, 2.0, 0.0, kSlowTimeoutS, read<sinkage_t>}}};
+    {{channels::kLaserFront, 5.0, kScanAgeMinMs, kTimeoutS, kJitterMs, read<planar_lidar_t>},
+     {channels::kLaserRear, 5.0, kScanAgeMinMs, kTimeoutS, kJitterMs, read<planar_lidar_t>},
+     {channels::kTiltFront, 20.0, 0.0, kTimeoutS, kAskedJitterMs, read<tilt_t>},
+     {channels::kTiltRear, 20.0, 0.0, kTimeoutS, kAskedJitterMs, read<tilt_t>},
+     {channels::kWheelOdometry, 10.0, 0.0, 0.5, kJitterMs, read<wheel_odometry_t>},
+     {channels::kImu, 50.0, 0.0, kTimeoutS, kJitterMs, read<imu_t>},
+     {channels::kVehicleState, 5.0, 0.0, kTimeoutS, kJitterMs, read<vehicle_state_t>},
+     {channels::kGas, 1.0, 0.0, kSlowTimeoutS, kJitterMs, read<gas_t>},
+     {channels::kSinkage, 2.0, 0.0, kSlowTimeoutS, kJitterMs, read<sinkage_t>}}};
 
 }  // namespace
 

@@ -27,6 +27,7 @@ struct DriverChannel {
   double rate_min_hz;     ///< below, the stages do not work well
   double age_min_ms;      ///< a stamp of the time of measurement is older when it arrives
   double interval_max_s;  ///< between two messages, after which the guard stops the vehicle
+  double jitter_max_ms;   ///< of the stamps; more if the device is asked for each reading
   Result<ChannelReading> (*read)(std::span<const std::uint8_t> bytes);
 };
 

@@ -62,9 +62,8 @@ CheckResult check_order(const MessageTimes& times) {
 }
 
 /// Distance of the steps from multiples of the usual one.
-CheckResult check_jitter(const MessageTimes& times) {
+CheckResult check_jitter(const DriverChannel& channel, const MessageTimes& times) {
   constexpr double kJitterMaxShare = 0.1;
-  constexpr double kJitterMaxMs = 2.0;
   const auto steps = steps_ms(times.stamps);
   const double period_ms = quantile(steps, 0.5);
   if (period_ms <= 0.0) return {Verdict::kUnknown, "jitter", "not checked: stamps do not advance"};
@@ -75,7 +74,7 @@ CheckResult check_jitter(const MessageTimes& times) {
   const double jitter_ms = quantile(off_ms, 0.95);
   const std::string text =
       fmt::format("stamps are within {:.2f} ms of a period of {:.2f} ms", jitter_ms, period_ms);
-  if (jitter_ms <= std::max(kJitterMaxMs, kJitterMaxShare * period_ms)) {
+  if (jitter_ms <= std::max(channel.jitter_max_ms, kJitterMaxShare * period_ms)) {
     return {Verdict::kGood, "jitter", text};
   }
   return {Verdict::kBad, "jitter",
@@ -119,7 +118,7 @@ CheckResult check_clock(const DriverChannel& channel, const MessageTimes& times)
 CheckResults check_times(const DriverChannel& channel, const MessageTimes& times) {
   if (times.stamps.size() < 3) return {};
   return {check_rate(channel, times), check_gaps(channel, times), check_order(times),
-          check_jitter(times), check_clock(channel, times)};
+          check_jitter(channel, times), check_clock(channel, times)};
 }
 
 }  // namespace adit

@@ -178,13 +178,10 @@ CheckResults check_computer(const std::filesystem::path& config) {
   results.push_back(check_governors(read_governors()));
   if (config.empty()) return results;
   const ConfigFile file = ConfigFile::load(find_installed_file(config, "config"));
-  for (const std::string& driver : laser_driver_names()) {
-    for (const char* laser : {"front", "rear"}) {
-      const std::string section = fmt::format("{}_{}", driver, laser);
-      const ConfigNode* const node = file.section(section);
-      const ConfigNode* const device = node == nullptr ? nullptr : node->find("device");
-      if (device != nullptr) results.push_back(check_device(section, device->text));
-    }
+  for (const std::string& section : driver_sections()) {
+    const ConfigNode* const node = file.section(section);
+    const ConfigNode* const device = node == nullptr ? nullptr : node->find("device");
+    if (device != nullptr) results.push_back(check_device(section, device->text));
   }
   return results;
 }

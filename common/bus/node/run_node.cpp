@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/bus/node/run_node.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -108,7 +109,9 @@ void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Op
 int run_stage(const std::string& name, const std::vector<std::string>& devices,
               const Configure& configure, int argc, char** argv) try {
   const std::string program = "adit-" + name;
-  const std::string what = devices.empty() ? "stage " : "driver ";
+  const std::vector<std::string> drivers = driver_names();
+  const bool is_driver = std::find(drivers.begin(), drivers.end(), name) != drivers.end();
+  const std::string what = is_driver ? "driver " : "stage ";
   const auto app =
       make_command_line("Runs the " + what + name + " on LCM until SIGINT or SIGTERM.", program);
   Options options;

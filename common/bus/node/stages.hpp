@@ -24,10 +24,32 @@ inline constexpr const char* kSimSection = "sim";
 /// The section of the viewer, a process that is not a stage.
 inline constexpr const char* kViewerSection = "viewer";
 
-/// The drivers of lasers in drivers/; each runs once for each laser of its kind, with a section of
-/// its own, <driver>_front or <driver>_rear.
+/// The drivers of lasers and of what tilts them; each runs once for each laser of its kind, with a
+/// section of its own, <driver>_front or <driver>_rear.
 inline const std::vector<std::string>& laser_driver_names() {
-  static const std::vector<std::string> names{"sick_lms2xx", "scip"};
+  static const std::vector<std::string> names{"sick_lms2xx", "scip", "tilt"};
+  return names;
+}
+
+/// The drivers of which a robot has one, with the section of their name.
+inline const std::vector<std::string>& single_driver_names() {
+  static const std::vector<std::string> names{"base_serial", "imu_vectornav"};
+  return names;
+}
+
+/// The programs in drivers/, without adit-.
+inline std::vector<std::string> driver_names() {
+  std::vector<std::string> names = laser_driver_names();
+  for (const std::string& driver : single_driver_names()) names.push_back(driver);
+  return names;
+}
+
+/// The sections of all drivers.
+inline std::vector<std::string> driver_sections() {
+  std::vector<std::string> names = single_driver_names();
+  for (const std::string& driver : laser_driver_names()) {
+    for (const char* laser : {"front", "rear"}) names.push_back(driver + "_" + laser);
+  }
   return names;
 }
 
@@ -40,9 +62,7 @@ inline std::vector<std::string> config_sections() {
   names.emplace_back(SealParams::kSection);
   names.emplace_back(kSimSection);
   names.emplace_back(kViewerSection);
-  for (const std::string& driver : laser_driver_names()) {
-    for (const char* laser : {"front", "rear"}) names.push_back(driver + "_" + laser);
-  }
+  for (const std::string& section : driver_sections()) names.push_back(section);
   return names;
 }
 

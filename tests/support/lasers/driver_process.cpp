@@ -45,6 +45,10 @@ double DriverProcess::cpu_s() const {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+void DriverProcess::suspend() const { kill(pid_, SIGSTOP); }
+
+void DriverProcess::resume() const { kill(pid_, SIGCONT); }
+
 int DriverProcess::terminate() {
   if (pid_ > 0) {
     kill(pid_, SIGTERM);

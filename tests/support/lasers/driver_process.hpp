@@ -23,6 +23,10 @@ class DriverProcess {
   /// Processor time since its start, in user and kernel mode [s].
   [[nodiscard]] double cpu_s() const;
 
+  /// As if the computer hung, and its end.
+  void suspend() const;
+  void resume() const;
+
   /// Sends SIGTERM and waits. Returns the exit code, −1 if a signal ended it.
   int terminate();
 

@@ -63,7 +63,9 @@ void PtyLine::write(std::span<const std::uint8_t> bytes) {
 
 int PtyLine::host_baud() const {
   static const std::map<speed_t, int> bauds{
-      {B9600, 9600}, {B19200, 19200}, {B38400, 38400}, {B115200, 115200}, {B500000, 500000}};
+      {B9600, 9600},     {B19200, 19200},    {B38400, 38400},   {B57600, 57600},
+      {B115200, 115200}, {B230400, 230400},  {B460800, 460800}, {B500000, 500000},
+      {B921600, 921600}, {B1000000, 1000000}};
   termios settings{};
   if (tcgetattr(master_, &settings) != 0) return 0;
   const auto baud = bauds.find(cfgetospeed(&settings));

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ const fs::path kRoot = ADIT_SOURCE_DIR;
 std::vector<std::string> our_programs() {
   std::vector<std::string> names{"adit", "adit-record"};
   for (const std::string& stage : stage_names()) names.push_back("adit-" + stage);
-  for (const std::string& driver : laser_driver_names()) names.push_back("adit-" + driver);
+  for (const std::string& driver : driver_names()) names.push_back("adit-" + driver);
   return names;
 }
 
@@ -100,15 +101,19 @@ std::string with_comments_removed(const fs::path& path, const std::string& mark)
 TEST(ProcessLists, HaveRowsOfDriversThatOnlyNeedTheirCommentSignsRemoved) {
   const ProcessList list = parse_process_list(
       with_comments_removed(kRoot / "deploy/processes/robot.cfg", "#  "), "robot.cfg");
-  for (const std::string id : {"laser_front", "laser_rear"}) {
+  const std::map<std::string, std::string> channels{
+      {"laser_front", "LASER_FRONT"}, {"laser_rear", "LASER_REAR"}, {"tilt_front", "TILT_FRONT"},
+      {"tilt_rear", "TILT_REAR"},     {"base", "VEHICLE_STATE"},    {"imu", "IMU"}};
+  for (const auto& [id, channel] : channels) {
     const ListedCommand* const command = list.find(id);
     ASSERT_NE(command, nullptr) << id;
     ASSERT_TRUE(command->alive) << id;
     const auto words = parse_command_line(command->exec)->arguments;
     EXPECT_THAT(our_programs(), testing::Contains(words.front()));
-    const std::string section = words.at(0).substr(5) + "_" + words.at(1);
+    std::string section = words.at(0).substr(5);
+    if (words.size() > 1) section += "_" + words.at(1);
     EXPECT_THAT(config_sections(), testing::Contains(section));
-    EXPECT_EQ(command->alive->channel, words.at(1) == "front" ? "LASER_FRONT" : "LASER_REAR");
+    EXPECT_EQ(command->alive->channel, channel);
   }
 }
 

@@ -106,6 +106,20 @@ TEST(ScanCounter, FindsThePhaseAfterALateBeginning) {
   }
 }
 
+/// A driver that hangs just after its start reads several scans at once. Counted one after the
+/// other they would shift the phase, which the slope of the filter then takes for a wrong period.
+TEST(ScanCounter, IsNotShiftedByScansThatAreReadAtOnceWhileItSettles) {
+  ScanCounter counter(10'000.0);
+  for (std::int64_t scan = 0; scan < 400; ++scan) {
+    const bool hangs = scan >= 50 && scan < 54;
+    const std::int64_t arrival_us = kStartUs + (hangs ? 54 : scan) * 10'000 - (hangs ? 100 : 0);
+    const auto found = counter.arrival_us(arrival_us);
+    if (scan < 60) continue;
+    ASSERT_TRUE(found) << scan;
+    EXPECT_NEAR(static_cast<double>(*found - kStartUs - scan * 10'000), 0.0, 300.0) << scan;
+  }
+}
+
 /// A counter of scans every 10 ms that has seen 500 of them, in time.
 ScanCounter settled_counter() {
   ScanCounter counter(10'000.0);

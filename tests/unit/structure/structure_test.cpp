@@ -132,8 +132,8 @@ TEST(Structure, AlgorithmsDoNotIncludeTransport) {
 
 /// What all drivers share: the folders of drivers/ that are no driver.
 bool is_shared_by_drivers(const std::string& path) {
-  return path.starts_with("drivers/laser/") || path.starts_with("drivers/ports/") ||
-         path.starts_with("drivers/timing/");
+  return path.starts_with("drivers/device/") || path.starts_with("drivers/laser/") ||
+         path.starts_with("drivers/ports/") || path.starts_with("drivers/timing/");
 }
 
 TEST(Structure, DriversDoNotIncludeEachOther) {

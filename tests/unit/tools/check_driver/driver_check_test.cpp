@@ -256,5 +256,21 @@ TEST(DriverCheck, FindsATiltRateOfTheOtherSign) {
   EXPECT_THAT(bad_tilt(-1.0), testing::ElementsAre(HasSubstr("other sign")));
 }
 
+/// A servo is read when its driver is scheduled, a base measures on its own.
+TEST(DriverCheck, LetsTheStampsOfTiltsAloneBeIrregular) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::int64_t> late_us(0, 5000);
+  DriverCheck tilts("TILT_REAR", kRangeMaxM);
+  DriverCheck wheels("WHEEL_ODOMETRY", kRangeMaxM);
+  for (int i = 0; i < 250; ++i) {
+    const std::int64_t utime = kStartUs + i * 20'000 + late_us(random);
+    tilts.add("TILT_REAR", encode(to_message(TiltReading{utime, 0.1, 0.0})), utime + 3000);
+    wheels.add("WHEEL_ODOMETRY", encode(to_message(WheelOdometry{utime, {0.01 * i, 0.0, 0.0}})),
+               utime + 3000);
+  }
+  EXPECT_THAT(bad(tilts.results()), testing::IsEmpty());
+  EXPECT_THAT(bad(wheels.results()), testing::ElementsAre(HasSubstr("period")));
+}
+
 }  // namespace
 }  // namespace adit

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/service/wall_time.hpp"
+#include "tests/support/lasers/driver_process.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace adit {
+
+/// The process of a driver with an emulated device in real time, and what it publishes on LCM.
+/// `Line` connects both and has `step(utime)`.
+template <class Line>
+class LiveDriver {
+ public:
+  explicit LiveDriver(Line& line) : line_(line) {
+    subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::queued(100),
+                           [this](const Heartbeat& beat) { health = beat.health; });
+  }
+
+  /// Starts the program with a configuration; `device`: its first argument, if it has one.
+  void start(const std::string& program, const std::string& device, const std::string& yaml) {
+    std::ofstream(folder_ / "robot.yaml") << yaml;
+    std::vector<std::string> command{program};
+    if (!device.empty()) command.push_back(device);
+    command.insert(command.end(), {"--config", (folder_ / "robot.yaml").string()});
+    start(command);
+  }
+
+  void start(const std::vector<std::string>& command) { driver_.emplace(command); }
+
+  /// Runs the device until something is so, and says whether it became so in 30 s.
+  bool run_until(const std::function<bool()>& is_so) {
+    constexpr std::int64_t kTimeoutUs = 30'000'000;
+    const std::int64_t begin_us = steady_us();
+    while (!is_so()) {
+      if (steady_us() - begin_us > kTimeoutUs) return false;
+      line_.step(wall_utime());
+      while (bus_.handle(0)) {
+      }
+      bus_.handle(1);
+    }
+    return true;
+  }
+
+  bool more_readings_arrive(int number) {
+    const int until = readings + number;
+    return run_until([&] { return readings >= until; });
+  }
+
+  bool has_health(Health::Level level, const std::string& reason = {}) {
+    return run_until([&] {
+      return health && health->level == level && health->reason.find(reason) != std::string::npos;
+    });
+  }
+
+  /// Share of a processor core that the driver needs for this number of readings.
+  double core_share(int number) {
+    const double cpu_s = driver_->cpu_s();
+    const std::int64_t begin_us = steady_us();
+    EXPECT_TRUE(more_readings_arrive(number));
+    const double wall_s = 1e-6 * static_cast<double>(steady_us() - begin_us);
+    const double share = (driver_->cpu_s() - cpu_s) / wall_s;
+    fmt::print("{:.1f} readings per second, {:.2f} % of a core, stamps off by {:.2f} ms\n",
+               number / wall_s, 100.0 * share, stamp_error_ms);
+    return share;
+  }
+
+  /// Runs `adit check-driver` on a channel beside the driver; its exit code.
+  int check_driver(const std::string& adit, const std::string& channel) {
+    DriverProcess check({adit, "check-driver", channel, "--seconds", "5"});
+    EXPECT_TRUE(run_until([&] { return !check.is_running(); }));
+    return check.terminate();
+  }
+
+  DriverProcess& driver() { return *driver_; }
+  LcmBus& bus() { return bus_; }
+
+  std::optional<Health> health;
+  int readings = 0;
+  int wrong = 0;                ///< readings
+  double stamp_error_ms = 0.0;  ///< of the last reading
+
+ private:
+  test::ScratchFolder folder_;
+  Line& line_;
+  LcmBus bus_;
+  std::optional<DriverProcess> driver_;
+};
+
+}  // namespace adit

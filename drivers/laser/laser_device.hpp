@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/spinning_lidar.hpp"
 
 namespace adit {
 
@@ -31,6 +32,10 @@ class LaserDevice {
   /// time, each stamped with the time of its first beam.
   virtual std::vector<LaserScan> receive(std::span<const std::uint8_t> bytes,
                                          std::int64_t now_us) = 0;
+
+  /// Revolutions of a spinning lidar that are to be published, in order of time; their level views
+  /// are among the scans of the same call of receive().
+  virtual std::vector<LidarRevolution> take_revolutions() { return {}; }
 
   /// To be called every 50 ms or so, for timeouts.
   virtual void tick(std::int64_t now_us) = 0;

@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/sensing/seconds.hpp"
 #include "common/service/wall_time.hpp"
@@ -52,6 +54,12 @@ void LaserDeviceNode::receive(std::int64_t now_us) {
         gap_s_ = seconds(now_us - *last_scan_us_);
       }
       last_scan_us_ = now_us;
+    }
+    for (LidarRevolution& revolution : device_->take_revolutions()) {
+      revolution.utime += to_wall_us;
+      for (const LidarFragment& fragment : split(revolution)) {
+        publish(bus_, channels::kLidar, to_message(fragment));
+      }
     }
   }
 }

@@ -17,7 +17,8 @@
 namespace adit {
 
 /// Connects a laser with its port and the bus.
-/// Out: LASER_FRONT or LASER_REAR (planar_lidar_t), each scan as soon as it is complete.
+/// Out: LASER_FRONT or LASER_REAR (planar_lidar_t), each scan as soon as it is complete; LIDAR
+/// (spinning_lidar_t) of a spinning lidar, in fragments.
 /// Scans are stamped with the clock of this computer, of which a monotonic one is the measure, so
 /// that a clock that is set moves the stamps but not the filter behind them.
 class LaserDeviceNode {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drivers/velodyne/data_packet.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 namespace adit::velodyne {
@@ -21,7 +24,8 @@ constexpr int kTurn = 36'000;  // azimuths are in 0.01°
 // Of an azimuth to the next, two firings later, at the least and the greatest speed.
 constexpr double kStepMin = 240.0 / 60.0 * kTurn * 2.0 * kFiringUs * 1e-6;
 constexpr double kStepMax = 1260.0 / 60.0 * kTurn * 2.0 * kFiringUs * 1e-6;
-constexpr double kRounding = 2.0;  // of two azimuths, and the jitter of the motor
+constexpr double kRounding = 2.0;   // of two azimuths
+constexpr double kUnsteady = 0.05;  // of the speed within a packet
 
 constexpr std::array<double, kLasers> kVlp16Deg{-15, 1, -13, 3,  -11, 5,  -9, 7,
                                                 -7,  9, -5,  11, -3,  13, -1, 15};
@@ -39,6 +43,25 @@ std::array<std::uint16_t, kLasers> ranges_of(std::span<const std::uint8_t> block
     ranges[laser] = word(block, 4 + kReturnBytes * (firing * kLasers + laser));
   }
   return ranges;
+}
+
+/// Mean of the steps from one azimuth to the next; nothing if one of them is not that of a lidar
+/// that turns steadily: it is damaged.
+std::optional<double> step_of(const std::vector<int>& azimuths) {
+  std::vector<int> steps;
+  for (std::size_t i = 1; i < azimuths.size(); ++i) {
+    steps.push_back((azimuths[i] - azimuths[i - 1] + kTurn) % kTurn);
+  }
+  std::vector<int> sorted = steps;
+  std::ranges::sort(sorted);
+  const int median = sorted[sorted.size() / 2];
+  if (median < kStepMin - kRounding || median > kStepMax + kRounding) return std::nullopt;
+  double turned = 0.0;
+  for (const int step : steps) {
+    if (std::abs(step - median) > kRounding + kUnsteady * median) return std::nullopt;
+    turned += step;
+  }
+  return turned / static_cast<double>(steps.size());
 }
 
 }  // namespace
@@ -78,15 +101,9 @@ Result<DataPacket> read_data_packet(std::span<const std::uint8_t> bytes) {
     }
     azimuths.push_back(azimuth);
   }
-  double turned = 0.0;
-  for (std::size_t i = 1; i < azimuths.size(); ++i) {
-    const int step = (azimuths[i] - azimuths[i - 1] + kTurn) % kTurn;
-    if (step < kStepMin - kRounding || step > kStepMax + kRounding) {
-      return Rejected{"azimuths do not advance"};
-    }
-    turned += step;
-  }
-  const double step = turned / static_cast<double>(azimuths.size() - 1);
+  const auto mean_step = step_of(azimuths);
+  if (!mean_step) return Rejected{"azimuths do not advance"};
+  const double step = *mean_step;
   packet.degrees_per_us = 0.01 * step / (2.0 * kFiringUs);
   for (std::size_t i = 0; i < azimuths.size(); ++i) {
     const auto block = bytes.subspan(i * stride * kBlockBytes, kBlockBytes);

@@ -3,11 +3,11 @@
 #include "drivers/velodyne/velodyne.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -30,7 +30,10 @@ constexpr double kSeamDeg = 180.0;         // straight behind
 constexpr double kTransmissionUs = 100.0;  // of a packet at 100 Mbit/s
 constexpr double kColumnsMin = 0.8;        // share of a turn, of a revolution that counts
 constexpr double kRateDiffers = 0.05;
-constexpr std::int64_t kStreamsUs = 500'000;
+// The lasers of all products by elevation: they fire alternately from below and from the middle.
+constexpr std::array<std::size_t, kLasers> kByElevation{0, 2, 4, 6, 8, 10, 12, 14,
+                                                        1, 3, 5, 7, 9, 11, 13, 15};
+constexpr std::int64_t kStreamsUs = 400'000;
 
 }  // namespace
 
@@ -107,13 +110,12 @@ std::vector<LaserScan> Velodyne::receive(std::span<const std::uint8_t> bytes, st
 std::vector<LidarRing> Velodyne::rings() const {
   std::vector<LidarRing> rings;
   const auto elevations = velodyne::elevations_deg(product_);
-  for (std::size_t i = 0; i < kLasers; ++i) {
+  for (const std::size_t i : kByElevation) {
     const double after_us = kLaserUs * static_cast<double>(i);
     rings.push_back({static_cast<float>(elevations[i] * kRadPerDeg),
                      static_cast<float>(-degrees_per_us_ * after_us * kRadPerDeg),
                      static_cast<float>(after_us)});
   }
-  std::ranges::sort(rings, {}, &LidarRing::elevation_rad);
   return rings;
 }
 
@@ -135,11 +137,7 @@ void Velodyne::add_firing(const Firing& firing, std::int64_t device_us) {
   if (!revolution_) return;
   revolution_->columns.push_back({static_cast<std::int32_t>(device_us - begin_us_),
                                   static_cast<float>(-firing.azimuth_deg * kRadPerDeg)});
-  std::array<std::size_t, kLasers> by_elevation{};
-  std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
-  const auto elevations = velodyne::elevations_deg(product_);
-  std::ranges::sort(by_elevation, {}, [&](std::size_t laser) { return elevations[laser]; });
-  for (const std::size_t laser : by_elevation) {
+  for (const std::size_t laser : kByElevation) {
     const std::uint16_t range = firing.ranges[laser];
     revolution_->ranges_m.push_back(range == 0 ? std::numeric_limits<float>::infinity()
                                                : static_cast<float>(kRangeUnitM * range));

@@ -81,7 +81,8 @@ Result<DataPacket> read_data_packet(std::span<const std::uint8_t> bytes) {
   if (elevations_deg(packet.product).empty()) {
     return Rejected{"packets of another product than VLP-16, Puck LITE or Puck Hi-Res"};
   }
-  if (packet.return_mode < kStrongest || packet.return_mode > kDual) {
+  if (packet.return_mode != kStrongest && packet.return_mode != kLast &&
+      packet.return_mode != kDual) {
     return Rejected{"unknown return mode"};
   }
   if (packet.time_us >= kHourUs) return Rejected{"time stamp beyond the hour"};

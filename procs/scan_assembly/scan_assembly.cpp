@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_assembly/scan_assembly.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -57,7 +58,7 @@ void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   utime_ = begin_utime_ = scan_utime_ = tilt_utime_ = utime;
   if (params_.lasers.lidar.present) {
     collects_ = true;
-    measure_up();
+    gravity_.clear();  // the body may have braked just before
   } else {
     sweep_.begin();
   }
@@ -93,11 +94,19 @@ bool ScanAssembly::add(LaserId laser, const TiltReading& reading) {
   return true;
 }
 
+bool ScanAssembly::add(const ImuReading& reading) {
+  imu_utime_ = utime_;
+  return gravity_.add(reading);
+}
+
 bool ScanAssembly::add(const LidarRevolution& revolution) {
   if (!collects_ || revolution.columns.empty() || revolution.rings.empty()) return false;
   scan_utime_ = utime_;
   if (!revolutions_.empty() && revolution.utime <= revolutions_.back().utime) return false;
   revolutions_.push_back(revolution);
+  if (revolutions_.size() > static_cast<std::size_t>(params_.revolutions)) {
+    revolutions_.erase(revolutions_.begin());
+  }
   return true;
 }
 
@@ -130,14 +139,22 @@ ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
 
 ScanAssembly::Step ScanAssembly::advance_collection(std::int64_t utime) {
   Step step;
-  const bool complete = revolutions_.size() >= static_cast<std::size_t>(params_.revolutions);
+  const bool complete = revolutions_.size() >= static_cast<std::size_t>(params_.revolutions) &&
+                        !waits_for_gravity(utime);
   const std::string reason = complete ? "" : collection_abort_reason(utime);
   if (!complete && reason.empty()) return step;
+  measure_up();
   if (!reason.empty()) problem_ = reason;
   collects_ = false;
   cloud_utime_ = utime;
   step.cloud = assemble_revolutions(complete);
   return step;
+}
+
+bool ScanAssembly::waits_for_gravity(std::int64_t utime) const {
+  constexpr double kImuTimeoutS = 0.5;
+  const double since_reading_s = seconds(utime - std::max(imu_utime_, begin_utime_));
+  return !gravity_.has_all_readings() && since_reading_s < kImuTimeoutS;
 }
 
 std::string ScanAssembly::collection_abort_reason(std::int64_t utime) const {

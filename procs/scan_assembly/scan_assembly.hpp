@@ -49,7 +49,8 @@ struct ScanAssemblyParams {
 /// Assembles one 3D scan from one tilt sweep of a planar laser (section 3 of the paper): each beam
 /// is placed by the tilt and the pose of the body at its own time, the body is levelled by gravity,
 /// and mixed pixels are removed. The robot must stand; without new poses it is assumed to stand at
-/// its last pose. With a spinning lidar the scan is made of its next revolutions, without a sweep.
+/// its last pose. With a spinning lidar the scan is made of the revolutions before the time at
+/// which gravity is measured, the first readings of the IMU after the request, without a sweep.
 ///
 /// Times that are passed beside readings are bus time. Only bus time is used for timeouts, as
 /// sensors may have another clock.
@@ -72,7 +73,7 @@ class ScanAssembly {
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
   bool add(const LidarRevolution& revolution);
-  bool add(const ImuReading& reading) { return gravity_.add(reading); }
+  bool add(const ImuReading& reading);
   bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m,
            const Attitude& attitude = {});
 
@@ -98,6 +99,7 @@ class ScanAssembly {
   [[nodiscard]] std::string abort_reason(std::int64_t utime) const;
   [[nodiscard]] std::string collection_abort_reason(std::int64_t utime) const;
   [[nodiscard]] bool has_moved() const;
+  [[nodiscard]] bool waits_for_gravity(std::int64_t utime) const;
   std::optional<Cloud> abort_sweep(const std::string& reason);
   void start_lines();
   [[nodiscard]] Cloud empty_cloud(std::int64_t utime, bool complete) const;
@@ -123,6 +125,7 @@ class ScanAssembly {
   std::int64_t begin_utime_ = 0;       ///< bus time of the request
   std::int64_t scan_utime_ = 0;        ///< bus time of the last scan
   std::int64_t tilt_utime_ = 0;        ///< bus time of the last tilt
+  std::int64_t imu_utime_ = 0;         ///< bus time of the last reading of the IMU
   std::int64_t cloud_utime_ = 0;       ///< bus time of the cloud
 
   std::int64_t utime_ = 0;  ///< bus time

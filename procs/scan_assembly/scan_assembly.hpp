@@ -49,8 +49,9 @@ struct ScanAssemblyParams {
 /// Assembles one 3D scan from one tilt sweep of a planar laser (section 3 of the paper): each beam
 /// is placed by the tilt and the pose of the body at its own time, the body is levelled by gravity,
 /// and mixed pixels are removed. The robot must stand; without new poses it is assumed to stand at
-/// its last pose. With a spinning lidar the scan is made of the revolutions before the time at
-/// which gravity is measured, the first readings of the IMU after the request, without a sweep.
+/// its last pose. With a spinning lidar there is no sweep: the scan is made
+/// of its last revolutions, once gravity has been measured by the readings of the IMU after the
+/// request.
 ///
 /// Times that are passed beside readings are bus time. Only bus time is used for timeouts, as
 /// sensors may have another clock.

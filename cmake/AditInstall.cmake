@@ -6,7 +6,7 @@
 
 set(share ${CMAKE_INSTALL_DATAROOTDIR})
 install(PROGRAMS deploy/bin/adit-record DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(FILES deploy/config/groundhog.yaml deploy/config/skid_steered.yaml deploy/config/simulated.yaml DESTINATION ${share}/adit/config)
+install(FILES deploy/config/groundhog.yaml deploy/config/skid_steered.yaml deploy/config/spinning_lidar.yaml deploy/config/simulated.yaml DESTINATION ${share}/adit/config)
 install(FILES deploy/processes/simulated.cfg DESTINATION ${share}/adit/processes)
 install(DIRECTORY sim/worlds/ DESTINATION ${share}/adit/worlds FILES_MATCHING PATTERN *.yaml PATTERN *.txt)
 install(FILES deploy/sysctl/60-adit-lcm.conf DESTINATION lib/sysctl.d)

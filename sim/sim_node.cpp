@@ -9,6 +9,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
@@ -38,6 +39,11 @@ class Publisher {
     const bool front = laser.laser == SimLaser::kFront;
     publish(bus_, front ? channels::kLaserFront : channels::kLaserRear,
             adit::to_message(laser.scan));
+  }
+  void operator()(const LidarRevolution& revolution) {
+    for (const LidarFragment& fragment : split(revolution)) {
+      publish(bus_, channels::kLidar, adit::to_message(fragment));
+    }
   }
   void operator()(const LaserTiltReading& tilt) {
     const bool front = tilt.laser == SimLaser::kFront;

@@ -13,9 +13,9 @@ namespace adit {
 /// In:  DRIVE_COMMAND (drive_command_t), STOP (stop_t), TILT_COMMAND_FRONT, TILT_COMMAND_REAR
 ///      (tilt_command_t).
 /// Out: what the drivers publish: LASER_FRONT, LASER_REAR (planar_lidar_t), TILT_FRONT, TILT_REAR
-///      (tilt_t), WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), GAS (gas_t), SINKAGE (sinkage_t),
-///      VEHICLE_STATE (vehicle_state_t). Out, of the simulator: TRUTH (pose_t in world), RUN_STATE
-///      (run_state_t) and SIM_TIME (sim_time_t), every kTimePeriodUs.
+///      (tilt_t) or LIDAR (spinning_lidar_t), WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), GAS
+///      (gas_t), SINKAGE (sinkage_t), VEHICLE_STATE (vehicle_state_t). Out, of the simulator: TRUTH
+///      (pose_t in world), RUN_STATE (run_state_t) and SIM_TIME (sim_time_t), every kTimePeriodUs.
 class SimNode {
  public:
   using Params = SimulationParams;

@@ -10,6 +10,7 @@ namespace adit::channels {
 
 inline constexpr std::string_view kLaserFront = "LASER_FRONT";
 inline constexpr std::string_view kLaserRear = "LASER_REAR";
+inline constexpr std::string_view kLidar = "LIDAR";
 inline constexpr std::string_view kPose = "POSE";
 inline constexpr std::string_view kTiltFront = "TILT_FRONT";
 inline constexpr std::string_view kTiltRear = "TILT_REAR";
@@ -61,6 +62,7 @@ inline constexpr std::string_view kPmDiscover = "PM_DISCOVER";
 /// All channels.
 inline constexpr std::array kAll{kLaserFront,
                                  kLaserRear,
+                                 kLidar,
                                  kPose,
                                  kTiltFront,
                                  kTiltRear,

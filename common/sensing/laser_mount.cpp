@@ -12,4 +12,10 @@ Eigen::Isometry3d tilted_laser(const LaserMount& mount, double tilt_rad) {
          Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitY()) * Eigen::Translation3d(lever);
 }
 
+Eigen::Isometry3d T_body_lidar(const Lasers& lasers) {
+  LaserMount mount = lasers.front;
+  mount.lever_x_m = mount.lever_z_m = 0.0;
+  return tilted_laser(mount, lasers.lidar.pitch_rad);
+}
+
 }  // namespace adit

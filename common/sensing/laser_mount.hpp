@@ -41,16 +41,35 @@ struct LaserMount {
 /// Pose of the laser in the body frame at a tilt angle [rad]; positive tilts the laser downwards.
 Eigen::Isometry3d tilted_laser(const LaserMount& mount, double tilt_rad);
 
+/// A spinning 3D lidar. It stands where the front laser is described, with the same range limits,
+/// and replaces it: the front laser is its level view.
+struct LidarMount {
+  bool present = false;
+  double pitch_rad = 0.0;  ///< of its axis about the y axis of the front laser; positive looks down
+  int level_beams = 900;   ///< of its level view, over a turn
+
+  template <class V>
+  void visit(V& v) {
+    v("present", present);
+    v("pitch_rad", pitch_rad, within(-0.8, 0.8));
+    v("level_beams", level_beams, within(90, 4096));
+  }
+};
+
 /// The lasers of the vehicle: a configuration section that all stages share, so that all use the
-/// same extrinsics. A vehicle with one laser has no rear one, and is blind behind.
+/// same extrinsics. A vehicle with one laser has no rear one, and is blind behind unless that is
+/// the level view of a spinning lidar.
 struct Lasers {
   static constexpr const char* kSection = "lasers";
 
   LaserMount front;
   LaserMount rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
   int count = 2;  ///< 1: the front laser only
+  LidarMount lidar{};
 
   [[nodiscard]] bool has_rear() const { return count == 2; }
+  /// Whether a scan shows what is behind the vehicle.
+  [[nodiscard]] bool sees_behind() const { return has_rear() || lidar.present; }
   [[nodiscard]] const LaserMount& of(LaserId laser) const {
     return laser == LaserId::kFront ? front : rear;
   }
@@ -60,7 +79,11 @@ struct Lasers {
     v("count", count, within(1, 2));
     v("front", front);
     v("rear", rear);
+    v("lidar", lidar);
   }
 };
+
+/// Pose of the spinning lidar in the body frame; its z axis is the axis of rotation.
+Eigen::Isometry3d T_body_lidar(const Lasers& lasers);
 
 }  // namespace adit

@@ -17,7 +17,8 @@
 namespace adit {
 
 /// Connects a laser with its port and the bus.
-/// Out: LASER_FRONT or LASER_REAR (planar_lidar_t), each scan as soon as it is complete.
+/// Out: LASER_FRONT or LASER_REAR (planar_lidar_t), each scan as soon as it is complete; LIDAR
+/// (spinning_lidar_t) of a spinning lidar, in fragments.
 class LaserDeviceNode {
  public:
   /// `name` of the section of the configuration, for what is printed: losses and returns of the

@@ -38,7 +38,8 @@ class BytePort {
   virtual bool set_baud(int /*baud*/) { return true; }
 };
 
-/// The port of an address: "tcp://HOST:PORT", or the path of a serial device. Throws
+/// The port of an address: "tcp://HOST:PORT", "udp://HOST:PORT" (datagrams of the host to this port
+/// of the computer, of all senders for 0.0.0.0), or the path of a serial device. Throws
 /// std::invalid_argument for any other text.
 std::unique_ptr<BytePort> make_port(const std::string& address);
 

@@ -49,7 +49,10 @@ FlankMemory::FlankMemory(const Vehicle& vehicle, const Lasers& lasers)
       front_x_m_(lasers.front.T_body_laser.x),
       rear_x_m_(lasers.has_rear() ? lasers.rear.T_body_laser.x
                                   : -0.5 * vehicle.length_m - kBehindM),
-      has_rear_(lasers.has_rear()) {}
+      has_rear_(lasers.has_rear()),
+      range_min_m_(lasers.front.range_min_m) {
+  if (lasers.lidar.present) p_body_lidar_ = lasers.front.T_body_laser.translation();
+}
 
 void FlankMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
@@ -77,10 +80,15 @@ void FlankMemory::observe(LaserId laser, const LaserPoints& points) {
 
 bool FlankMemory::is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const {
   if (laser == LaserId::kRear) return has_rear_ && p_body.x() <= rear_x_m_;
+  if (p_body_lidar_) return from_lidar_m(p_body) >= range_min_m_;
   return p_body.x() >= front_x_m_;
 }
 
 bool FlankMemory::is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const {
+  if (p_body_lidar_) {
+    const double beyond_m = from_lidar_m(p_body) - range_min_m_;
+    return beyond_m >= 0.0 && beyond_m <= kViewEdgeM;
+  }
   const double ahead_m =
       laser == LaserId::kFront ? p_body.x() - front_x_m_ : rear_x_m_ - p_body.x();
   return ahead_m >= 0.0 && ahead_m <= kViewEdgeM &&
@@ -90,6 +98,7 @@ bool FlankMemory::is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) 
 bool FlankMemory::is_beside(const Eigen::Vector2d& p_body) const {
   const double beside_m = std::abs(p_body.y()) - half_footprint_m_.y();
   const bool in_footprint = beside_m <= 0.0 && std::abs(p_body.x()) <= half_footprint_m_.x();
+  if (p_body_lidar_) return !in_footprint && from_lidar_m(p_body) <= range_min_m_ + kViewEdgeM;
   return !in_footprint && beside_m <= kBesideM && p_body.x() <= front_x_m_ + kViewEdgeM &&
          p_body.x() >= rear_x_m_ - kViewEdgeM;
 }

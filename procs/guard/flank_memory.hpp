@@ -23,7 +23,8 @@ namespace adit {
 /// odom, up to a metre from either flank, one point for each cell of 4 cm, where possible the mean
 /// of three beams: of errors of 5 mm 3 mm remain. They are deleted when they come into view again,
 /// where the footprint has been, and when the pose jumps. Without a rear laser they are kept up to
-/// 3 m behind the vehicle.
+/// 3 m behind the vehicle. A spinning lidar sees all around but what is nearer than its least
+/// range: there, points are stored that it saw shortly beyond.
 class FlankMemory {
  public:
   FlankMemory(const Vehicle& vehicle, const Lasers& lasers);
@@ -42,6 +43,9 @@ class FlankMemory {
 
   [[nodiscard]] bool is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const;
   [[nodiscard]] bool is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const;
+  [[nodiscard]] double from_lidar_m(const Eigen::Vector2d& p_body) const {
+    return (p_body - *p_body_lidar_).norm();
+  }
   [[nodiscard]] bool is_beside(const Eigen::Vector2d& p_body) const;
   void update_points();
 
@@ -49,6 +53,8 @@ class FlankMemory {
   double front_x_m_;
   double rear_x_m_;
   bool has_rear_;
+  std::optional<Eigen::Vector2d> p_body_lidar_;  ///< of a spinning lidar
+  double range_min_m_;                           ///< of that
   std::optional<Pose2> T_odom_body_;
   std::map<Cell, Eigen::Vector2d> p_odom_;
   std::vector<Eigen::Vector2d> p_body_;

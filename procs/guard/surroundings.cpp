@@ -28,8 +28,9 @@ Surroundings::Surroundings(const GuardParams& params)
       timeout_s_(params.timeout_s),
       front_("laser front", params.lasers.front),
       rear_("laser rear", params.lasers.rear),
+      has_rear_(params.lasers.has_rear()),
       flank_memory_(params.vehicle, params.lasers) {
-  if (!params.lasers.has_rear()) blind_side_memory_.emplace(params.vehicle, params.lasers.front);
+  if (!params.lasers.sees_behind()) blind_side_memory_.emplace(params.vehicle, params.lasers.front);
 }
 
 void Surroundings::move_to(const Pose2& T_odom_body) {
@@ -43,7 +44,7 @@ void Surroundings::receive(LaserId laser, const TiltReading& reading, std::int64
 
 void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
                            const Eigen::Vector3d& up_body) {
-  if (blind_side_memory_ && laser == LaserId::kRear) return;
+  if (laser == LaserId::kRear && !has_rear_) return;
   if (!monitor_of(laser).receive(scan, at_us, up_body, vehicle_)) return;
   flank_memory_.observe(laser, monitor_of(laser).points());
   if (blind_side_memory_) blind_side_memory_->observe(monitor_of(laser).points());
@@ -81,9 +82,9 @@ std::optional<std::string> Surroundings::laser_fault_on(const ArcMotion& motion,
                                                         std::int64_t now_us) const {
   const int direction = direction_of(motion);
   if (direction == 0) return std::nullopt;
-  if (direction > 0 || blind_side_memory_) {
+  if (direction > 0 || !has_rear_) {
     auto fault = front_.fault(now_us, timeout_s_);
-    if (fault || direction > 0) return fault;
+    if (fault || direction > 0 || !blind_side_memory_) return fault;
     const double within_m = stopping_distance_m(obstacle_, motion.speed_m_s, 0.0);
     const double known_m = blind_side_memory_->known_m(motion, within_m);
     if (known_m >= within_m) return std::nullopt;

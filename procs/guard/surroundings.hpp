@@ -19,7 +19,7 @@
 
 namespace adit {
 
-/// The obstacles around the vehicle by both lasers and the flank memory, and whether they block a
+/// The obstacles around the vehicle by the lasers and the flank memory, and whether they block a
 /// motion. Times are in MonotonicTime.
 class Surroundings {
  public:
@@ -37,8 +37,8 @@ class Surroundings {
                                                        bool for_release, std::int64_t now_us) const;
 
   /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed. In
-  /// reverse without a rear laser: the fault of the front one, or ground that is not known to be
-  /// free within the stopping distance.
+  /// reverse without a rear laser: the fault of the front one, or, unless it is the level view of a
+  /// spinning lidar, ground that is not known to be free within the stopping distance.
   [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,
                                                           std::int64_t now_us) const;
 
@@ -52,8 +52,9 @@ class Surroundings {
   double timeout_s_;
   LaserMonitor front_;
   LaserMonitor rear_;
+  bool has_rear_;
   FlankMemory flank_memory_;
-  std::optional<BlindSideMemory> blind_side_memory_;  ///< without a rear laser
+  std::optional<BlindSideMemory> blind_side_memory_;  ///< if no scan shows what is behind
 };
 
 }  // namespace adit

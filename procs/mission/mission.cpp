@@ -280,7 +280,7 @@ std::optional<double> Mission::transit_length_m(double unscanned_m) const {
 /// turn round, and retraces only if there is none.
 bool Mission::must_turn_round() const {
   const auto& T_odom_body = localization_.T_odom_body();
-  if (params_.lasers.has_rear() || !T_odom_body || target_.route_odom.empty()) return false;
+  if (params_.lasers.sees_behind() || !T_odom_body || target_.route_odom.empty()) return false;
   return laser_facing(target_.route_odom, *T_odom_body, LaserId::kFront) == LaserId::kRear;
 }
 

@@ -72,7 +72,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
   const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
                         terrain, params_.goals, ground_->layers.body_distance_m);
-  // Without a rear laser the robot turns round: it is blind behind.
+  // Without a rear laser the robot turns round: no scan shows the ground behind it.
   is_goal_behind_ = params_.lasers.has_rear() && is_behind(goals, T_level_body);
   const LatticePose start = nearest_pose(terrain, kernels_->headings(), T_level_body);
   clear_blocked_start(start);

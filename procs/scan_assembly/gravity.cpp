@@ -21,7 +21,7 @@ bool GravityEstimator::add(const ImuReading& reading) {
 }
 
 std::optional<Eigen::Vector3d> GravityEstimator::up_body() const {
-  if (forces_.size() < static_cast<std::size_t>(params_.readings)) return std::nullopt;
+  if (!has_all_readings()) return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& force : forces_) sum += force;
   const Eigen::Vector3d mean = sum / static_cast<double>(forces_.size());

@@ -33,6 +33,12 @@ class GravityEstimator {
   /// False for a reading that is not finite; it is ignored.
   bool add(const ImuReading& reading);
 
+  /// Forgets the readings of the time in which the body may have moved.
+  void clear() { forces_.clear(); }
+  [[nodiscard]] bool has_all_readings() const {
+    return forces_.size() >= static_cast<std::size_t>(params_.readings);
+  }
+
   /// Unit vector in the body frame; nothing with too few readings, or if the body is not at rest.
   [[nodiscard]] std::optional<Eigen::Vector3d> up_body() const;
 

@@ -119,6 +119,16 @@ RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount
   return image;
 }
 
+RangeImage range_image(const LidarRevolution& revolution, const LaserMount& mount) {
+  RangeImage image(revolution.rings.size());
+  for (std::size_t ring = 0; ring < image.size(); ++ring) {
+    for (std::size_t column = 0; column < revolution.columns.size(); ++column) {
+      image[ring].push_back(valid_range_m(revolution.range_m(column, ring), mount));
+    }
+  }
+  return image;
+}
+
 void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params) {
   const RangeImage measured = image;
   const Kinds kinds = kinds_of(measured, turns, params);

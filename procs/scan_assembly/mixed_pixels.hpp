@@ -8,6 +8,7 @@
 #include "common/config/bounds.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/spinning_lidar.hpp"
 
 namespace adit {
 
@@ -16,6 +17,8 @@ namespace adit {
 using RangeImage = std::vector<std::vector<float>>;
 
 RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount);
+/// The ranges of a revolution of a spinning lidar: a row for each ring, a column for each of its.
+RangeImage range_image(const LidarRevolution& revolution, const LaserMount& mount);
 
 struct MixedPixelParams {
   double jump_min_m = 0.05;  ///< range difference between returns of two surfaces

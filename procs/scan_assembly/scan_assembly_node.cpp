@@ -42,6 +42,12 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
                    [this](const ImuReading& reading) { scan_assembly_.add(reading); });
   subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
   subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  subscribe<spinning_lidar_t>(bus, channels::kLidar, Delivery::queued(kScanQueueSize),
+                              [this](const LidarFragment& fragment) {
+                                if (const auto revolution = revolutions_.add(fragment)) {
+                                  scan_assembly_.add(*revolution);
+                                }
+                              });
   subscribe<cloud_request_t>(bus, channels::kCloudRequest, Delivery::queued(kRequestQueueSize),
                              [this](const CloudRequest& request) { resend_missing(request); });
   bus.create_timer(kPeriodUs, [this](std::int64_t utime) { advance(utime); });

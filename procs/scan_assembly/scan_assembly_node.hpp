@@ -10,6 +10,7 @@
 #include "common/bus/bus.hpp"
 #include "common/bus/sensor_clocks.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/types/cloud.hpp"
 #include "procs/scan_assembly/cloud_journal.hpp"
 #include "procs/scan_assembly/scan_assembly.hpp"
@@ -27,11 +28,12 @@ struct ScanAssemblyNodeParams : ScanAssemblyParams {
 };
 
 /// In:  SCAN_REQUEST (scan_request_t); LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT,
-///      TILT_REAR (tilt_t); POSE (pose_t); optional IMU (imu_t). CLOUD_REQUEST (cloud_request_t)
-///      of a receiver that may be missing 3D scans.
+///      TILT_REAR (tilt_t), or LIDAR (spinning_lidar_t); POSE (pose_t); optional IMU (imu_t).
+///      CLOUD_REQUEST (cloud_request_t) of a receiver that may be missing 3D scans.
 /// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
-///      laser and return it to level; then CLOUD (cloud_t) in fragments. CLOUD_RESEND (cloud_t), in
-///      fragments, of one of the newest scans that a receiver is missing.
+///      laser and return it to level (not with a spinning lidar); then CLOUD (cloud_t) in
+///      fragments. CLOUD_RESEND (cloud_t), in fragments, of one of the newest scans that a receiver
+///      is missing.
 /// With a journal, a 3D scan is on disk before it is published, and stays there until it is
 /// acknowledged: after a restart it can still be requested.
 class ScanAssemblyNode {
@@ -54,6 +56,7 @@ class ScanAssemblyNode {
   Bus& bus_;
   ScanAssembly scan_assembly_;
   SensorClocks clocks_;
+  LidarReassembler revolutions_;
   CloudBuffer buffer_;
   std::optional<CloudJournal> journal_;
   std::string journal_failure_;

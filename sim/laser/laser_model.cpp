@@ -3,12 +3,9 @@
 #include "sim/laser/laser_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "sim/laser/echo.hpp"
 
 namespace adit {
 namespace {
@@ -95,34 +92,16 @@ const std::vector<Ray>& BeamFan::rays(const PoseAt& T_world_laser) {
   return rays_world_;
 }
 
-namespace {
-
-constexpr double kReferenceReflectivity = 0.1;
-constexpr std::size_t kSubraysMax = 9;
-// Offset of a reflected ray from the mirror, so that it does not hit the mirror again [m].
-constexpr float kOffMirror = 0.01F;
-
-double power(double reflectivity, double cos_incidence, double range_m) {
-  return reflectivity * cos_incidence / (range_m * range_m);
-}
-
-double cos_incidence(const Ray& ray, const RayHit& hit) { return -ray.direction.dot(hit.normal); }
-
-}  // namespace
-
 LaserModel::LaserModel(const RayScene& scene, const LaserParams& params, std::uint64_t seed)
-    : scene_(scene), params_(params), random_(seed), fan_(params) {
+    : scene_(scene), params_(params), finder_(scene, params), random_(seed), fan_(params) {
   offset_m_ =
       std::uniform_real_distribution<double>(-params.offset_max_m, params.offset_max_m)(random_);
-  power_min_ = power(kReferenceReflectivity, 1.0, params.range_at_10_percent_m);
-  ray_length_m_ = static_cast<float>(
-      std::min(params.no_return_m(), std::sqrt(params.subrays * reflectivity_max() / power_min_)));
 }
 
 LaserScan LaserModel::measure(const PoseAt& T_world_laser, std::int64_t utime) {
   const std::span<const Ray> rays = fan_.rays(T_world_laser);
   hits_.resize(rays.size());
-  scene_.cast(rays, ray_length_m_, hits_);
+  scene_.cast(rays, finder_.ray_length_m(), hits_);
   LaserScan scan{utime, {}, -params_.field_of_view_rad / 2.0, params_.angle_step_rad()};
   scan.ranges_m.reserve(static_cast<std::size_t>(params_.beams));
   const auto n = static_cast<std::size_t>(params_.subrays);
@@ -130,56 +109,10 @@ LaserScan LaserModel::measure(const PoseAt& T_world_laser, std::int64_t utime) {
     // Drawn for each beam, hit or not, so that a change of the world does not change the noise of
     // other beams.
     const double noise_m = params_.noise_sd_m * normal_(random_);
-    const auto range = range_m(rays.subspan(i, n), std::span(hits_).subspan(i, n));
-    scan.ranges_m.push_back(reading_m(range, noise_m));
+    const auto range = finder_.range_m(rays.subspan(i, n), std::span(hits_).subspan(i, n));
+    scan.ranges_m.push_back(finder_.reading_m(range, offset_m_ + noise_m));
   }
   return scan;
-}
-
-std::optional<double> LaserModel::range_m(std::span<const Ray> rays,
-                                          std::span<const RayHit> hits) const {
-  std::array<Echo, kSubraysMax> echoes;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (const auto one = echo(rays[i], hits[i])) echoes[n++] = *one;
-  }
-  const auto seen =
-      merge_echoes(std::span(echoes).first(n), params_.pulse_length_m, params_.first_echo_share);
-  if (!seen || seen->power < power_min_ * params_.subrays) return std::nullopt;
-  return seen->range_m;
-}
-
-std::optional<Echo> LaserModel::echo(const Ray& ray, const RayHit& hit) const {
-  if (!std::isfinite(hit.distance_m)) return std::nullopt;
-  const Material material = scene_.mesh().part_of(hit.triangle).material;
-  if (material == Material::kWater) return std::nullopt;
-  if (material == Material::kMirror) return specular_echo(ray, hit);
-  return Echo{hit.distance_m,
-              power(reflectivity(material), cos_incidence(ray, hit), hit.distance_m)};
-}
-
-/// Echo of the surface seen in the mirror, at the range along the reflected path. Echoes by a
-/// second mirror are too weak to be detected.
-std::optional<Echo> LaserModel::specular_echo(const Ray& ray, const RayHit& mirror) const {
-  const float cosine = -ray.direction.dot(mirror.normal);
-  const Eigen::Vector3f away = ray.direction + 2.0F * cosine * mirror.normal;
-  const float behind_m = mirror.distance_m + kOffMirror;
-  const Ray reflected{ray.origin + mirror.distance_m * ray.direction + kOffMirror * away, away};
-  const auto hit = scene_.cast(reflected, ray_length_m_ - behind_m);
-  if (!hit) return std::nullopt;
-  const double rho = reflectivity(scene_.mesh().part_of(hit->triangle).material);
-  if (rho == 0.0) return std::nullopt;
-  const double share = specular_share(cosine);  // on both passes of the mirror
-  const double range = static_cast<double>(behind_m) + hit->distance_m;
-  return Echo{range, share * share * power(rho, cos_incidence(reflected, *hit), range)};
-}
-
-float LaserModel::reading_m(std::optional<double> range_m, double noise_m) const {
-  const double no_return = params_.no_return_m();
-  if (!range_m) return static_cast<float>(no_return);
-  const double measured = *range_m + offset_m_ + noise_m;
-  if (measured < params_.range_min_m || measured >= no_return) return static_cast<float>(no_return);
-  return static_cast<float>(std::round(measured / params_.unit_m) * params_.unit_m);
 }
 
 }  // namespace adit

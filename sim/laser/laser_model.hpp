@@ -4,16 +4,14 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <random>
-#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "common/sensing/laser_scan.hpp"
-#include "sim/laser/echo.hpp"
 #include "sim/laser/laser_params.hpp"
+#include "sim/laser/range_finder.hpp"
 #include "sim/mesh/ray_scene.hpp"
 
 namespace adit {
@@ -67,19 +65,12 @@ class LaserModel {
   [[nodiscard]] double offset_m() const { return offset_m_; }
 
  private:
-  [[nodiscard]] std::optional<Echo> echo(const Ray& ray, const RayHit& hit) const;
-  [[nodiscard]] std::optional<Echo> specular_echo(const Ray& ray, const RayHit& hit) const;
-  [[nodiscard]] std::optional<double> range_m(std::span<const Ray> rays,
-                                              std::span<const RayHit> hits) const;
-  [[nodiscard]] float reading_m(std::optional<double> range_m, double noise_m) const;
-
   const RayScene& scene_;
   LaserParams params_;
+  RangeFinder finder_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
   double offset_m_ = 0.0;
-  double power_min_ = 0.0;     ///< detection threshold of the mean power of the sub-rays
-  float ray_length_m_ = 0.0F;  ///< maximum detectable range
   BeamFan fan_;
   std::vector<RayHit> hits_;
 };

@@ -8,6 +8,7 @@
 
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
+#include "common/sensing/spinning_lidar.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 #include "common/types/vehicle_state.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
@@ -27,8 +28,9 @@ struct LaserTiltReading {
 };
 
 /// One output of a driver, or of the simulator itself (BodyMotion: the true pose; RunState).
-using Reading = std::variant<LaserReading, LaserTiltReading, WheelOdometry, ImuReading, GasReading,
-                             SinkageReading, VehicleState, BodyMotion, RunState>;
+using Reading =
+    std::variant<LaserReading, LidarRevolution, LaserTiltReading, WheelOdometry, ImuReading,
+                 GasReading, SinkageReading, VehicleState, BodyMotion, RunState>;
 
 /// Time of measurement, by the clock of the sensor [µs since the epoch].
 inline std::int64_t& utime_of(Reading& reading) {

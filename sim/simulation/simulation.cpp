@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "common/sensing/vehicle_readings.hpp"
 #include "sim/simulation/fault_injection.hpp"
 #include "sim/simulation/random_stream.hpp"
+#include "sim/simulation/spinning_lidar.hpp"
 #include "sim/simulation/tilting_laser.hpp"
 #include "sim/vehicle/proprioception.hpp"
 #include "sim/world/world.hpp"
@@ -47,6 +49,24 @@ constexpr std::int64_t kVehicleEvery = 10;
 constexpr std::int64_t kTruthEvery = 2;
 constexpr std::int64_t kRunEvery = 100;
 
+void check_no_return(const LaserMount& mount, const LaserParams& laser) {
+  if (mount.range_max_m > laser.no_return_m()) {
+    throw std::invalid_argument(
+        "lasers: range_max_m exceeds laser.reading_max times laser.unit_m of sim, which "
+        "is the reading for no return");
+  }
+}
+
+SpinningLidar::Setup lidar_setup(const SimulationParams& params, std::uint64_t seed) {
+  check_no_return(params.lasers.front, params.laser);
+  if (params.lasers.has_rear()) {
+    throw std::invalid_argument(
+        "lasers: a spinning lidar takes the place of all lasers: count must be 1");
+  }
+  return {params.lasers, params.lidar, params.laser, stream_seed(seed, RandomStream::kFrontLaser),
+          stream_seed(seed, RandomStream::kFrontScanLoss)};
+}
+
 TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
                                 std::uint64_t seed) {
   const bool front = laser == SimLaser::kFront;
@@ -54,11 +74,7 @@ TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
   LaserParams model = params.laser;
   model.field_of_view_rad = mount.field_of_view_rad;
   model.timing = mount.timing;
-  if (mount.range_max_m > params.laser.no_return_m()) {
-    throw std::invalid_argument(
-        "lasers: range_max_m exceeds laser.reading_max times laser.unit_m of sim, which "
-        "is the reading for no return");
-  }
+  check_no_return(mount, params.laser);
   return {mount,
           model,
           params.tilt,
@@ -85,12 +101,16 @@ class Simulation::Impl {
         utime_(start_utime) {
     for (const SimLaser laser : laser_ids())
       lasers_.push_back(make_laser(laser, seed, start_utime));
+    if (params_.lasers.lidar.present) {
+      lidar_.emplace(site_.scene(), lidar_setup(params_, seed), start_utime,
+                     vehicle_.motion().T_world_body);
+    }
   }
 
   void command(const DriveCommand& command) { vehicle_.command(command); }
   void command(const StopOrder& order) { vehicle_.command(order); }
   void command(SimLaser laser, const TiltCommand& command) {
-    if (laser == SimLaser::kFront || params_.lasers.has_rear()) of(laser).command(command);
+    if (std::ranges::count(laser_ids(), laser) > 0) of(laser).command(command);
   }
 
   std::vector<Reading> step() {
@@ -98,6 +118,7 @@ class Simulation::Impl {
     const bool was_over = vehicle_.failure().has_value();
     advance();
     add_scans();
+    if (lidar_) add_revolutions();
     add_sensors(before);
     add_truth(!was_over && vehicle_.failure());
     return queue_.take();
@@ -117,6 +138,7 @@ class Simulation::Impl {
   }
 
   [[nodiscard]] std::vector<SimLaser> laser_ids() const {
+    if (params_.lasers.lidar.present) return {};
     if (params_.lasers.has_rear()) return {SimLaser::kFront, SimLaser::kRear};
     return {SimLaser::kFront};
   }
@@ -130,6 +152,7 @@ class Simulation::Impl {
     const VehicleState state = vehicle_.state();
     wheels_.advance(state.speed_m_s, state.curvature_1_m, kStepS);
     for (TiltingLaser& laser : lasers_) laser.advance(utime_, vehicle_.motion().T_world_body);
+    if (lidar_) lidar_->advance(utime_, vehicle_.motion().T_world_body);
   }
 
   void add_scans() {
@@ -138,6 +161,14 @@ class Simulation::Impl {
       for (auto& [utime, scan] : of(laser).finished_scans(alive)) {
         queue_.add(utime, LaserReading{laser, std::move(scan)});
       }
+    }
+  }
+
+  void add_revolutions() {
+    const auto alive = [&](std::int64_t utime) { return faults_.alive(SimLaser::kFront, utime); };
+    for (auto& finished : lidar_->finished(alive)) {
+      if (finished.revolution) queue_.add(finished.utime, std::move(*finished.revolution));
+      queue_.add(finished.utime, LaserReading{SimLaser::kFront, std::move(finished.level)});
     }
   }
 
@@ -169,7 +200,8 @@ class Simulation::Impl {
   SimulationParams params_;
   FaultSchedule faults_;
   VehicleModel vehicle_;
-  std::vector<TiltingLaser> lasers_;  ///< front, rear
+  std::vector<TiltingLaser> lasers_;  ///< front, rear; none with a spinning lidar
+  std::optional<SpinningLidar> lidar_;
   DeadReckoning wheels_;
   InertialUnit imu_;
   ReadingQueue queue_;

@@ -23,8 +23,8 @@ class Simulation {
   static constexpr std::int64_t kStepUs = 10'000;
 
   /// `site` must outlive this. Throws std::invalid_argument if the vehicle cannot stand at the
-  /// start, for an invalid fault, and for a mount whose range_max_m would accept the laser's
-  /// reading for no return.
+  /// start, for an invalid fault, for a mount whose range_max_m would accept the laser's reading
+  /// for no return, and for a spinning lidar beside a second laser.
   Simulation(const Site& site, const SimulationParams& params, std::uint64_t seed,
              std::int64_t start_utime);
   ~Simulation();
@@ -38,7 +38,8 @@ class Simulation {
   /// Advances time by kStepUs and returns the readings of the step in the order of delivery: a scan
   /// at the time of its last beam, all others at the end of the step. Order at the same time:
   /// scans, tilts, wheel odometry, IMU, gas, sinkage, vehicle, truth, run. Lasers scan
-  /// continuously, the rear one half a period behind the front one.
+  /// continuously, the rear one half a period behind the front one. With a spinning lidar the front
+  /// scans are its level view, after its revolutions, and there are no tilts.
   std::vector<Reading> step();
 
   [[nodiscard]] std::int64_t utime() const;  ///< true time, not affected by clock faults

@@ -10,6 +10,7 @@
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/vehicle.hpp"
 #include "sim/laser/laser_params.hpp"
+#include "sim/laser/spinning_lidar_params.hpp"
 #include "sim/laser/tilt_actuator.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
 
@@ -54,6 +55,7 @@ struct SimulationParams {
   Lasers lasers = groundhog_lasers();
   Vehicle vehicle;
   LaserParams laser;
+  SpinningLidarParams lidar;  ///< if lasers.lidar is present
   TiltParams tilt;
   VehicleModelParams motion;
   WheelOdometryParams wheel_odometry;
@@ -67,6 +69,7 @@ struct SimulationParams {
     v.shared(Lasers::kSection, lasers);
     v.shared(Vehicle::kSection, vehicle);
     v("laser", laser);
+    v("lidar", lidar);
     v("tilt", tilt);
     v("motion", motion);
     v("wheel_odometry", wheel_odometry);

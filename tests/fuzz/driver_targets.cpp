@@ -18,6 +18,7 @@
 #include "drivers/scip/scip.hpp"
 #include "drivers/sick_lms2xx/sick_lms2xx.hpp"
 #include "drivers/tilt/servo.hpp"
+#include "drivers/velodyne/velodyne.hpp"
 
 #include "tests/fuzz/targets.hpp"
 #include "tests/support/devices/base_emulator.hpp"
@@ -25,6 +26,7 @@
 #include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/lms_emulator.hpp"
 #include "tests/support/lasers/scip_emulator.hpp"
+#include "tests/support/lasers/vlp16_emulator.hpp"
 
 namespace adit::fuzz {
 namespace {
@@ -209,10 +211,57 @@ Target imu_target() {
       }};
 }
 
+VelodyneParams velodyne_params() {
+  VelodyneParams params;
+  params.lasers.count = 1;
+  params.lasers.lidar = {true, 0.2, 90};
+  return params;
+}
+
+/// The packets of somewhat more than a turn, one behind the other.
+Bytes packets_of_a_turn() {
+  Vlp16Emulator lidar({.rpm = 1200.0, .return_mode = 0x39},
+                      [](double x, double y, double z) { return 3.0 + x + y * z; });
+  lidar.power_on(kBeginUs - 200'000);
+  Bytes sent;
+  for (const auto& packet : lidar.advance(kBeginUs + 110'000)) {
+    sent.insert(sent.end(), packet.bytes.begin(), packet.bytes.end());
+  }
+  return sent;
+}
+
+/// Divides the bytes into datagrams. Returns the reason for rejection: no scan was found.
+std::string_view replay_datagrams(std::span<const std::uint8_t> bytes) {
+  Velodyne lidar(velodyne_params(), LaserId::kFront);
+  std::int64_t now_us = kBeginUs;
+  lidar.start(now_us);
+  bool found = false;
+  for (std::size_t i = 0; i < bytes.size(); i += velodyne::kPacketBytes) {
+    now_us += 664;  // of 12 firings
+    const auto datagram = bytes.subspan(i, std::min(velodyne::kPacketBytes, bytes.size() - i));
+    for (const LaserScan& scan : lidar.receive(datagram, now_us)) {
+      found = true;
+      if (scan.ranges_m.size() == 90 && std::abs(scan.utime - now_us) < 1'000'000) continue;
+      std::cerr << "a scan that no lidar measures\n";
+      std::abort();
+    }
+    for (const LidarRevolution& revolution : lidar.take_revolutions()) {
+      if (revolution.ranges_m.size() == revolution.columns.size() * 16) continue;
+      std::cerr << "a revolution whose ranges are not those of its columns\n";
+      std::abort();
+    }
+    lidar.tick(now_us);
+  }
+  return found ? "" : "no scan";
+}
+
+Target velodyne_target() { return {"velodyne", {packets_of_a_turn()}, replay_datagrams}; }
+
 }  // namespace
 
 std::vector<Target> driver_targets() {
-  return {lms_target(), scip_target(), base_target(), tilt_target(), imu_target()};
+  return {lms_target(),  scip_target(), velodyne_target(),
+          base_target(), tilt_target(), imu_target()};
 }
 
 }  // namespace adit::fuzz

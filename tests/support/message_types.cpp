@@ -11,6 +11,7 @@
 #include "common/messages/fields/navigation_fields.hpp"
 #include "common/messages/fields/procman_fields.hpp"
 #include "common/messages/fields/sensing_fields.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/local_map.hpp"
@@ -242,6 +243,10 @@ std::vector<MessageType> procman_types() {
 
 std::vector<MessageType> stage_types() {
   const LaserScan scan{kUtime, std::vector<float>(40, 5.0F), -1.5, 0.0087};
+  const LidarRevolution revolution{kUtime,
+                                   {{-0.02F, 0.0F, 0.0F}, {0.02F, 0.001F, 2.3F}},
+                                   {{0, 3.1F}, {55, 3.09F}, {110, 3.08F}},
+                                   {5.0F, 5.1F, 5.2F, 5.3F, 5.4F, 5.5F}};
   const StampedPose pose{kUtime, {12.0, -3.0, 0.7}, Eigen::Vector3d(0.5, 0.0, 0.1)};
   const WheelOdometry odometry{kUtime, {1.0, 2.0, 0.5}};
   const ImuReading imu{kUtime, {0.0, 0.1, 0.2}, {0.1, 0.0, 9.81}};
@@ -255,6 +260,7 @@ std::vector<MessageType> stage_types() {
                          5.0,
                          {{"POSE", 370, 1, 2, 0.4, 3.1}, {"LASER_FRONT", 375, 0, 0, 0.9, 5.0}}};
   return {type_of(channels::kLaserFront, to_message(scan)),
+          type_of(channels::kLidar, to_message(split(revolution).front())),
           type_of(channels::kPose, to_message(pose)),
           type_of(channels::kWheelOdometry, to_message(odometry)),
           type_of(channels::kImu, to_message(imu)),

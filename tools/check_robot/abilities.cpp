@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
 #include "procs/guard/obstacle_check.hpp"
 #include "tools/check_robot/field_of_view.hpp"
+#include "tools/check_robot/lidar_ground.hpp"
 
 namespace adit {
 namespace {
@@ -32,10 +36,29 @@ std::string blind_text(const RobotConfig& robot) {
                         side_of(arc.middle_rad()), kBesideM, rad_to_deg(arc.from_rad),
                         rad_to_deg(arc.to_rad));
   }
-  if (!robot.lasers.has_rear()) {
+  if (!robot.lasers.sees_behind()) {
     text +=
         "blind     no rear laser: it turns round by driving, and reverses only over ground that "
         "it saw or came over; what comes there afterwards it does not see\n";
+  }
+  return text;
+}
+
+/// The ground that a spinning lidar shows while the robot stands, from the lidar.
+std::string ground_text(const RobotConfig& robot) {
+  std::string text;
+  for (const auto& [name, bearing_deg] :
+       {std::pair("ahead", 0.0), std::pair("45° to a side", 45.0), std::pair("to a side", 90.0),
+        std::pair("behind", 180.0)}) {
+    const double bearing_rad = bearing_deg * std::numbers::pi / 180.0;
+    const auto ground =
+        lidar_ground(robot.lasers, robot.sim.lidar, bearing_rad, robot.terrain.unseen.gap_max_m);
+    const bool is_seen = ground && ground->to_m > ground->from_m;
+    text += is_seen ? fmt::format(
+                          "ground    {}: seen from {:.1f} to {:.1f} m from the lidar, if it "
+                          "is level\n",
+                          name, ground->from_m, ground->to_m)
+                    : fmt::format("ground    {}: not seen\n", name);
   }
   return text;
 }
@@ -97,6 +120,7 @@ std::string text_of_abilities(const RobotConfig& robot) {
                         laser.mount.range_min_m, laser.mount.range_max_m,
                         static_cast<int>(laser.mount.range_max_m / can.stopping_m));
   }
+  if (robot.lasers.lidar.present) text += ground_text(robot);
   return text + blind_text(robot);
 }
 

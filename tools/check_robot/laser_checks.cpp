@@ -176,7 +176,11 @@ void check_lasers(const RobotConfig& robot, CheckResults& results) {
     check_pose(laser, robot.vehicle, results);
     check_body_in_view(laser, robot.vehicle, results);
     check_ranges(laser, robot, results);
-    check_sweep(laser, robot, results);
+    if (!robot.lasers.lidar.present) check_sweep(laser, robot, results);
+  }
+  if (robot.lasers.lidar.present) {
+    check_lidar(robot, results);
+    return;
   }
   add_relation(
       results, robot.scan_matching.lasers_tilt, "sweep",

@@ -24,6 +24,8 @@ void add_relation(CheckResults& results, bool holds, std::string_view property,
 void check_body(const RobotConfig& robot, CheckResults& results);
 /// Poses, fields of view and ranges of the lasers, and the sweep of a tilting one.
 void check_lasers(const RobotConfig& robot, CheckResults& results);
+/// The level view of a spinning lidar, and what its rings show of the ground.
+void check_lidar(const RobotConfig& robot, CheckResults& results);
 /// Speeds, braking, and limits that must be reached in order: first mission, then guard.
 void check_motion(const RobotConfig& robot, CheckResults& results);
 

@@ -33,7 +33,7 @@ class Configurator {
     auto params = load_section<typename Node::Params>(config_, stage);
     if constexpr (requires { params.lasers; }) params.lasers = lasers_;
     if constexpr (requires { params.vehicle; }) params.vehicle = vehicle_;
-    if constexpr (requires { params.lasers_tilt; }) params.lasers_tilt = true;
+    if constexpr (requires { params.lasers_tilt; }) params.lasers_tilt = !lasers_.lidar.present;
     // CONFIG has the name of the journal without its folder.
     if constexpr (requires { params.journal; }) params.journal = fmt::format("{}.journal", stage);
     const std::string yaml = to_yaml(params, stage);

@@ -68,7 +68,9 @@ std::string missing_channels(const LogFile& log) {
   };
   require_any(channels::kScanRequest, channels::kScanRequest);
   require_any(channels::kLaserFront, channels::kLaserRear);
-  require_any(channels::kTiltFront, channels::kTiltRear);
+  if (!present_channels.contains(channels::kLidar)) {
+    require_any(channels::kTiltFront, channels::kTiltRear);
+  }
   require_any(channels::kPose, channels::kPose);
   return missing.empty() ? missing : missing + ")";
 }

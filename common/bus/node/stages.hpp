@@ -25,9 +25,10 @@ inline constexpr const char* kSimSection = "sim";
 inline constexpr const char* kViewerSection = "viewer";
 
 /// The drivers of lasers and of what tilts them; each runs once for each laser of its kind, with a
-/// section of its own, <driver>_front or <driver>_rear.
+/// section of its own, <driver>_front or <driver>_rear. That of a spinning lidar runs for the front
+/// one only.
 inline const std::vector<std::string>& laser_driver_names() {
-  static const std::vector<std::string> names{"sick_lms2xx", "scip", "tilt"};
+  static const std::vector<std::string> names{"sick_lms2xx", "scip", "tilt", "velodyne"};
   return names;
 }
 

@@ -24,8 +24,6 @@
 namespace adit {
 
 inline constexpr Quantity kBeamIndex{0.0, 32767.0, "negative index of a beam"};
-inline constexpr Quantity kFragmentCount{0.0, 1e5, "implausible number of fragments"};
-inline constexpr Quantity kFragmentIndex{0.0, 1e5, "fragment index out of range"};
 inline constexpr Quantity kCloudCoordinate{-1e4, 1e4, "implausible point"};
 
 template <>

@@ -9,6 +9,7 @@
 #include "adit/planar_lidar_t.hpp"
 #include "adit/scan_request_t.hpp"
 #include "adit/sinkage_t.hpp"
+#include "adit/spinning_lidar_t.hpp"
 #include "adit/tilt_command_t.hpp"
 #include "adit/tilt_t.hpp"
 #include "adit/wheel_odometry_t.hpp"
@@ -32,6 +33,29 @@ struct Fields<planar_lidar_t> {
     field("intensities", m.intensities, kAny);
     field("rad0", m.rad0, kFirstBearing);
     field("radstep", m.radstep, kBearingStep);
+  }
+};
+
+inline constexpr Quantity kFragmentCount{0.0, 1e5, "implausible number of fragments"};
+inline constexpr Quantity kFragmentIndex{0.0, 1e5, "fragment index out of range"};
+inline constexpr Quantity kColumnTime{0.0, 1e7, "implausible time of a column"};  // [µs]
+inline constexpr Quantity kRangeUnit{1e-5, 1.0, "implausible unit of the ranges"};
+
+template <>
+struct Fields<spinning_lidar_t> {
+  static void visit(auto& m, auto& field) {
+    field("utime", m.utime, kTime);
+    field("n_rings", m.n_rings, kCount);
+    field("elevations_rad", m.elevations_rad, kAngle);
+    field("ring_azimuths_rad", m.ring_azimuths_rad, kAngle);
+    field("ring_times_us", m.ring_times_us, kColumnTime);
+    field("range_unit_m", m.range_unit_m, kRangeUnit);
+    field("n_fragments", m.n_fragments, kFragmentCount);
+    field("fragment", m.fragment, kFragmentIndex);
+    field("n_columns", m.n_columns, kCount);
+    field("times_us", m.times_us, kColumnTime);
+    field("azimuths_rad", m.azimuths_rad, kFirstBearing);
+    field("ranges", m.ranges, kAny);
   }
 };
 

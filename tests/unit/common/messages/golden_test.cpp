@@ -15,6 +15,7 @@
 
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/exploration.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
@@ -51,6 +52,29 @@ TEST(Golden, PlanarLidar) {
   message.rad0 = -1.5F;
   message.radstep = 0.5F;
   expect_golden(message, LaserScan{kUtime, {1.25F, 2.5F, 80.0F}, -1.5, 0.5});
+}
+
+TEST(Golden, SpinningLidar) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  spinning_lidar_t message;
+  message.utime = kUtime;
+  message.n_rings = 2;
+  message.elevations_rad = {-0.125F, 0.25F};
+  message.ring_azimuths_rad = {0.0F, -0.0625F};
+  message.ring_times_us = {0.5F, 2.25F};
+  message.range_unit_m = kLidarRangeUnitM;
+  message.n_fragments = 3;
+  message.fragment = 1;
+  message.n_columns = 2;
+  message.times_us = {0x010203, 0x040506};
+  message.azimuths_rad = {3.0F, 2.5F};
+  message.ranges = {{1000, 0}, {2000, 0x0708}};
+  const LidarRevolution part{
+      kUtime,
+      {{-0.125F, 0.0F, 0.5F}, {0.25F, -0.0625F, 2.25F}},
+      {{0x010203, 3.0F}, {0x040506, 2.5F}},
+      {1000 * kLidarRangeUnitM, kInfinite, 2000 * kLidarRangeUnitM, 0x0708 * kLidarRangeUnitM}};
+  expect_golden(message, LidarFragment{part, 3, 1});
 }
 
 TEST(Golden, Pose) {

@@ -144,5 +144,33 @@ TEST_F(FlankMemoryTest, NeedsAPose) {
   memory_.observe(LaserId::kFront, points_of({1.05, 0.8}, true));
 }
 
+TEST(FlankMemoryOfASpinningLidar, StoresWhatIsNearerThanItsLeastRange) {
+  Lasers around;
+  around.count = 1;
+  around.front.T_body_laser = {0.3, 0.0, 0.0};
+  around.front.range_min_m = 0.5;
+  around.lidar.present = true;
+  Vehicle vehicle;
+  vehicle.length_m = 1.1;
+  vehicle.width_m = 0.55;
+  FlankMemory memory(vehicle, around);
+  const auto see = [&](double x, double y) {
+    const Eigen::Vector2d p(x, y);
+    const bool visible = (p - Eigen::Vector2d(0.3, 0.0)).norm() >= 0.5;
+    const Eigen::Vector2d seen = visible ? p : kNothing;
+    memory.observe(LaserId::kFront, {{kNothing, seen, seen + Eigen::Vector2d(0.0, 0.01)}, 2});
+  };
+  memory.move_to({});
+  see(0.75, 0.4);  // a post, 0.60 m from the lidar
+  EXPECT_THAT(memory.p_body(), IsEmpty());
+  memory.move_to({0.4, 0.0, 0.0});
+  see(0.35, 0.4);
+  ASSERT_THAT(memory.p_body(), SizeIs(1));  // beside the lidar, where it is blind
+  EXPECT_NEAR(memory.p_body().front().x(), 0.35, 0.02);
+  memory.move_to({1.0, 0.0, 0.0});
+  see(-0.25, 0.4);  // in view again
+  EXPECT_THAT(memory.p_body(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace adit

@@ -85,6 +85,53 @@ TEST(GuardWithOneLaser, ForgetsWhatItSawWhenThePoseJumps) {
   EXPECT_THAT(robot.order.reason, HasSubstr("blind behind"));
 }
 
+GuardParams spinning_lidar() {
+  GuardParams params = one_laser();
+  params.lasers.front.T_body_laser.x = 0.6;
+  params.lasers.front.range_min_m = 0.5;
+  params.vehicle.length_m = 2.0;
+  params.lasers.lidar.present = true;
+  return params;
+}
+
+LaserScan all_around() {
+  return {0, std::vector<float>(720, 8.0F), -std::numbers::pi, std::numbers::pi / 360.0};
+}
+
+TEST(GuardWithASpinningLidar, ReversesWhereNothingIsBehind) {
+  HealthyRobot robot(spinning_lidar());
+  robot.muted = {"rear", "tilt"};
+  robot.front = all_around();
+  robot.run(3.0);
+  robot.speed_m_s = -0.3;
+  robot.run(1.0);
+  EXPECT_FALSE(robot.order.stopped) << robot.order.reason;
+}
+
+TEST(GuardWithASpinningLidar, StopsInReverseForAnObstacle) {
+  HealthyRobot robot(spinning_lidar());
+  robot.muted = {"rear", "tilt"};
+  robot.front = all_around();
+  robot.run(3.0);
+  std::fill_n(robot.front.ranges_m.begin(), 10, 1.75F);  // 0.15 m behind the body
+  robot.speed_m_s = -0.3;
+  robot.run(0.1);
+  EXPECT_TRUE(robot.order.stopped);
+  EXPECT_THAT(robot.order.reason, HasSubstr("behind"));
+}
+
+TEST(GuardWithASpinningLidar, StopsInReverseWithoutItsScans) {
+  HealthyRobot robot(spinning_lidar());
+  robot.muted = {"rear", "tilt"};
+  robot.front = all_around();
+  robot.run(3.0);
+  robot.muted.insert("front");
+  robot.speed_m_s = -0.3;
+  robot.run(0.5);
+  EXPECT_TRUE(robot.order.stopped);
+  EXPECT_THAT(robot.order.reason, HasSubstr("laser front"));
+}
+
 TEST(BlindSideMemory, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   Vehicle vehicle;
   vehicle.length_m = 0.8;

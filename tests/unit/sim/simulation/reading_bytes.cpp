@@ -17,6 +17,10 @@ class Bytes {
     add(laser.laser, laser.scan.utime, laser.scan.angle_min_rad, laser.scan.angle_step_rad);
     add_all(laser.scan.ranges_m.data(), laser.scan.ranges_m.size());
   }
+  void operator()(const LidarRevolution& revolution) {
+    add(revolution.utime);
+    add_all(revolution.ranges_m.data(), revolution.ranges_m.size());
+  }
   void operator()(const LaserTiltReading& tilt) {
     add(tilt.laser, tilt.reading.utime, tilt.reading.angle_rad, tilt.reading.rate_rad_s);
   }

@@ -80,6 +80,7 @@ TEST_P(SeededMistake, IsFoundWithASentenceThatLeadsToIt) {
 
 const std::string kSkid = "skid_steered.yaml";
 const std::string kGroundhog = "groundhog.yaml";
+const std::string kLidar = "spinning_lidar.yaml";
 
 INSTANTIATE_TEST_SUITE_P(
     CheckRobot, SeededMistake,
@@ -114,6 +115,21 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"theta_rad: 3.141592653589793", "theta_rad: 0"}},
                 "lasers.rear.T_body_laser.theta_rad",
                 "3.14159"},
+        Mistake{"LidarPitchedBeyondItsRings",
+                kLidar,
+                {{"pitch_rad: 0.21", "pitch_rad: 0.4"}},
+                "beams of the level view",
+                "pitch it less"},
+        Mistake{"LidarMountedLevel",
+                kLidar,
+                {{"pitch_rad: 0.21", "pitch_rad: 0"}},
+                "the lowest ring meets level ground",
+                "pitch the lidar down"},
+        Mistake{"LidarWithSweeps",
+                kLidar,
+                {{"lasers_tilt: false", "lasers_tilt: true"}},
+                "scan_matching.lasers_tilt",
+                "nothing tilts"},
         Mistake{"RearLaserLeftOut", kSkid, {{"count: 1", "count: 2"}}, "lasers.rear", "count: 1"},
         Mistake{"DiameterForRadius",
                 kGroundhog,
@@ -153,7 +169,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& mistake) { return mistake.param.name; });
 
 TEST(CheckRobot, FindsNothingInTheConfigurationsThatAreDelivered) {
-  for (const char* name : {"groundhog.yaml", "robot.yaml", "skid_steered.yaml"}) {
+  for (const char* name :
+       {"groundhog.yaml", "robot.yaml", "skid_steered.yaml", "spinning_lidar.yaml"}) {
     EXPECT_THAT(bad_lines(robot_of(config_text(name))), IsEmpty()) << name;
   }
 }

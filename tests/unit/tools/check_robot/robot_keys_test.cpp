@@ -33,6 +33,9 @@ class KeyRows {
   void operator()(std::string_view key, double& value, const Bounds& bounds = {}) {
     add(key, number_text(value), bounds.is_unbounded() ? "" : bounds.text());
   }
+  void operator()(std::string_view key, bool& value) {
+    add(key, fmt::format("{}", value), "true, false");
+  }
   void operator()(std::string_view key, std::string& value, const OneOf& allowed) {
     add(key, value, allowed.text());
   }

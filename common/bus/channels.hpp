@@ -22,6 +22,7 @@ inline constexpr std::string_view kLocalMap = "LOCAL_MAP";
 inline constexpr std::string_view kPoseGraph = "POSE_GRAPH";
 inline constexpr std::string_view kMapCorrection = "MAP_CORRECTION";
 inline constexpr std::string_view kAssociation = "ASSOCIATION";
+inline constexpr std::string_view kCloudMatch = "CLOUD_MATCH";
 inline constexpr std::string_view kContradictions = "CONTRADICTIONS";
 inline constexpr std::string_view kDriveCommand = "DRIVE_COMMAND";
 inline constexpr std::string_view kStop = "STOP";
@@ -108,6 +109,7 @@ inline constexpr std::array kAll{kLaserFront,
                                  kTerrainReady,
                                  kMatchDoubt,
                                  kContradictions,
+                                 kCloudMatch,
                                  kSealChallenge,
                                  kSealAnswer};
 

@@ -17,8 +17,8 @@
 namespace adit {
 
 struct LocalMapBuilderParams {
-  double length_m = 5.0;             ///< path length of a local map (paper, section 2.1)
-  double turn_max_rad = 6.3;         ///< accumulated turn after which it is finished, however short
+  double length_m = 5.0;      ///< path length of a local map (paper, section 2.1)
+  double turn_max_rad = 6.3;  ///< accumulated turn after which it is finished, however short
   /// A 3D scan begins a new local map if the current one has this path length, so that matches of
   /// 3D scans relate local maps without the error of the path between.
   double split_min_m = 1.0;
@@ -41,9 +41,10 @@ struct LocalMapBuilderParams {
 
 /// Splits the traversed path into local maps (paper, section 2.1). Path length and turn are
 /// measured between stored scans, so that a standing body makes no maps. A 3D scan begins a local
-/// map as well. The last scan of a local map is the first of the next. When scan matching starts a new odom frame, the current map is
-/// finished and a new session begins. The first local map of a session that continues a map is
-/// short, from what is observed at the start, so that it can be localised before the body moves.
+/// map as well. The last scan of a local map is the first of the next. When scan matching starts a
+/// new odom frame, the current map is finished and a new session begins. The first local map of a
+/// session that continues a map is short, from what is observed at the start, so that it can be
+/// localised before the body moves.
 class LocalMapBuilder {
  public:
   /// `first_id`, `session`: of the first local map; not 0 if earlier maps exist.

@@ -121,6 +121,10 @@ void MapHeights::remove_newest_map() {
   maps_.pop_back();
 }
 
+void MapHeights::add(const CloudPlace& place) {
+  if (std::ranges::find(places_, place) == places_.end()) places_.push_back(place);
+}
+
 void MapHeights::add(const CloudMatch& match) {
   matches_[{match.older.map, match.newer.map}].push_back(match);
 }

@@ -21,7 +21,7 @@
 namespace adit {
 
 struct MapHeightsParams {
-  double floor_m = 0.01;             ///< minimum standard deviation of the climb of a local map,
+  double floor_m = 0.02;             ///< minimum standard deviation of the climb of a local map,
   double drift_per_m = 0.002;        ///< and its growth with the distance travelled
   double ground_drift_per_m = 0.02;  ///< without an IMU, by the ground that 3D scans showed
   double slope_max = 0.35;  ///< of ground; with unknown attitude the climb is unknown up to this
@@ -62,7 +62,7 @@ class MapHeights {
   }
 
   /// Adds a place where a 3D scan was taken, before its local map is added.
-  void add(const CloudPlace& place) { places_.push_back(place); }
+  void add(const CloudPlace& place);
   /// Adds what a match tells. It counts while its loop closure is in force.
   void add(const CloudMatch& match);
   /// Whether a loop closure is a match of 3D scans that was added.

@@ -9,6 +9,7 @@
 
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/cloud_match.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "procs/mapping/map_gaps.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr std::string_view kLocalMap = "LOCAL_MAP";
 constexpr std::string_view kPart = "LOCAL_MAP_PART";
 constexpr std::string_view kAssociation = "ASSOCIATION";
+constexpr std::string_view kCloudMatch = "CLOUD_MATCH";
 constexpr std::string_view kEndLost = "END_LOST";  // before this record; stays known after a repair
 
 /// Assembles the stored map from records.
@@ -29,6 +31,7 @@ class Collector {
     if (record.kind == kLocalMap) add_fragment(record.bytes);
     if (record.kind == kPart) add_part(record.bytes);
     if (record.kind == kAssociation) add_association(record.bytes);
+    if (record.kind == kCloudMatch) add_match(record.bytes);
     if (record.kind == kEndLost) stored_.losses.end = true;
   }
 
@@ -102,6 +105,13 @@ class Collector {
     stored_.associations.push_back(*association);
   }
 
+  void add_match(std::span<const std::uint8_t> bytes) {
+    const auto message = decode<cloud_match_t>(bytes);
+    if (!message) return;
+    const auto match = from_message(*message);
+    if (match && match->newer.map < next_id()) stored_.cloud_matches.push_back(*match);
+  }
+
   [[nodiscard]] int next_id() const { return static_cast<int>(stored_.maps.size()); }
 
   void append(LocalMap map) {
@@ -156,6 +166,9 @@ MapJournal::MapJournal(const std::filesystem::path& path) : journal_(open(path, 
 void MapJournal::append(const MapUpdate& update) {
   for (const LocalMapFragment& fragment : split(update.map)) {
     journal_.append(kLocalMap, encode(to_message(fragment)));
+  }
+  for (const CloudMatch& match : update.cloud_matches) {
+    journal_.append(kCloudMatch, encode(to_message(match)));
   }
   append(update.associations);
 }

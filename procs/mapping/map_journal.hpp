@@ -15,9 +15,9 @@
 
 namespace adit {
 
-/// Stores the map on disk, as messages LOCAL_MAP and ASSOCIATION: each local map is on disk,
-/// decisions included, before it is published. The unfinished local map is stored in parts, records
-/// LOCAL_MAP_PART, each a LOCAL_MAP with the scans since the previous part.
+/// Stores the map on disk, as messages LOCAL_MAP, ASSOCIATION and CLOUD_MATCH: each local map is on
+/// disk, decisions included, before it is published. The unfinished local map is stored in parts,
+/// records LOCAL_MAP_PART, each a LOCAL_MAP with the scans since the previous part.
 class MapJournal {
  public:
   /// Opens or creates the file. Throws std::runtime_error if the file is no journal or cannot be

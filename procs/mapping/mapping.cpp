@@ -90,6 +90,8 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   end_is_lost_ = stored.losses.end;
   for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
+  add_places(stored.cloud_matches);
+  add_matches(stored.cloud_matches);
   update_heights();
   revision_ = static_cast<std::int64_t>(maps_.size());
   std::optional<MapUpdate> update;
@@ -233,8 +235,8 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   update.map = map;
   append_map(std::move(map));  // section 2.1
   for (const CloudPlace& place : clouds_.places(update.map.id)) heights_.add(place);
-  heights_.add_new(maps_.headers());            // to tell levels apart
-  update.associations = associate(update.map);  // sections 2.2 and 2.3
+  heights_.add_new(maps_.headers());  // to tell levels apart
+  associate(update);                  // sections 2.2 and 2.3
   if (!update.associations.empty()) update_heights();
   ++revision_;
   covariance_ = covariance_in_older_sessions();
@@ -249,44 +251,60 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
 
 /// Decides the loop closures of the newest map, then revises earlier decisions if the newest maps
 /// are unlikely.
-std::vector<Association> Mapping::associate(const LocalMap& newest) {
-  std::vector<Association> decided =
+void Mapping::associate(MapUpdate& update) {
+  const LocalMap& newest = update.map;
+  update.associations =
       association_.decide(loop_closures(newest.id, association_.trial(), false), newest.end_utime);
-  const std::vector<Association> by_clouds = associate_clouds(newest.id, newest.end_utime);
-  decided.insert(decided.end(), by_clouds.begin(), by_clouds.end());
+  associate_clouds(update);
   const std::vector<Association> revised = association_.revise(*this, newest.end_utime);
-  decided.insert(decided.end(), revised.begin(), revised.end());
-  return decided;
+  update.associations.insert(update.associations.end(), revised.begin(), revised.end());
 }
 
-/// Matches the 3D scans of a local map with those of the same session, decides the loop closures,
-/// and learns the constant error of the attitude from those that are accepted.
-std::vector<Association> Mapping::associate_clouds(int map, std::int64_t utime) {
+/// Matches the 3D scans of the newest local map with those of the same session, and decides the
+/// loop closures.
+void Mapping::associate_clouds(MapUpdate& update) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  const std::vector<MatchedClouds> matches = clouds_.matches(map, [&](int i) {
+  const std::vector<MatchedClouds> matches = clouds_.matches(update.map.id, [&](int i) {
     return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
   });
-  if (matches.empty()) return {};
+  if (matches.empty()) return;
   std::vector<LoopClosure> loop_closures;
   for (const MatchedClouds& matched : matches) loop_closures.push_back(matched.loop_closure);
-  std::vector<Association> decided = association_.decide(std::move(loop_closures), utime);
+  const std::vector<Association> decided =
+      association_.decide(std::move(loop_closures), update.map.end_utime);
+  update.associations.insert(update.associations.end(), decided.begin(), decided.end());
   // Without an IMU the attitude is that of the ground, whose error is not constant.
   const LocalScan& last = maps_.back().scans.back();
-  if (!last.attitude || last.attitude_from_ground) return decided;
-  const int session = maps_.back().session;
-  LevelError& error =
-      level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;
-  for (const auto& [loop_closure, match] : matches) {
-    const LoopClosureAlternative& measured = loop_closure.alternatives.front();
-    const bool accepted = std::ranges::any_of(decided, [&](const Association& a) {
-      return a.chosen != Association::kNone && a.loop_closure.newer_map == map &&
-             a.loop_closure.alternatives.front() == measured;
-    });
-    if (accepted) error.add(match.turn_rad, match.tilt_rad, match.tilt_covariance);
-    heights_.add(match);
+  if (!last.attitude || last.attitude_from_ground) return;
+  for (const MatchedClouds& matched : matches) update.cloud_matches.push_back(matched.match);
+  add_matches(update.cloud_matches);
+}
+
+/// Adds the places of 3D scans that were matched, of local maps that have no heights yet.
+void Mapping::add_places(std::span<const CloudMatch> matches) {
+  for (const CloudMatch& match : matches) {
+    for (const CloudPlace& place : {match.older, match.newer}) heights_.add(place);
   }
-  heights_.set_tilt_prior(session, error.as_prior());
-  return decided;
+}
+
+/// Adds what matches of 3D scans tell of heights and, of those whose loop closures are accepted, of
+/// the constant error of the attitude.
+void Mapping::add_matches(std::span<const CloudMatch> matches) {
+  for (const CloudMatch& match : matches) heights_.add(match);
+  cloud_matches_.insert(cloud_matches_.end(), matches.begin(), matches.end());
+  const auto in_force = constraints_in_force(association_.problem(), association_.hypothesis());
+  for (const CloudMatch& match : matches) {
+    const bool accepted = std::ranges::any_of(in_force, [&](const PoseConstraint& c) {
+      return c.from == match.older.map && c.to == match.newer.map &&
+             c.T_from_to == match.T_older_newer;
+    });
+    if (!accepted) continue;
+    const int session = maps_[static_cast<std::size_t>(match.newer.map)].session;
+    LevelError& error =
+        level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;
+    error.add(match.turn_rad, match.tilt_rad, match.tilt_covariance);
+    heights_.set_tilt_prior(session, error.as_prior());
+  }
 }
 
 /// Whether the newest local map may be discarded: it is matched to as many older maps as are stored
@@ -373,6 +391,8 @@ void Mapping::append_map(LocalMap map) {
 }
 
 void Mapping::remove_newest_map() {
+  const int map = static_cast<int>(maps_.size()) - 1;
+  std::erase_if(cloud_matches_, [map](const CloudMatch& match) { return match.newer.map == map; });
   maps_.pop_back();
   walls_.pop_back();
   extents_.pop_back();

@@ -19,6 +19,7 @@
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/cloud.hpp"
+#include "common/types/cloud_match.hpp"
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
@@ -79,15 +80,17 @@ struct MappingParams {
 struct StoredMap {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
-  std::optional<LocalMap> unfinished;  ///< the unfinished local map, as far as it is stored
-  MapLosses losses = {};               ///< by damage of the file
-  JournalHealth health = {};           ///< of the file
+  std::vector<CloudMatch> cloud_matches = {};  ///< in order
+  std::optional<LocalMap> unfinished = {};     ///< the unfinished local map, as far as it is stored
+  MapLosses losses = {};                       ///< by damage of the file
+  JournalHealth health = {};                   ///< of the file
 };
 
 /// The result of a new local map.
 struct MapUpdate {
   LocalMap map;
-  std::vector<Association> associations;  ///< in the order of decision
+  std::vector<Association> associations;       ///< in the order of decision
+  std::vector<CloudMatch> cloud_matches = {};  ///< of its 3D scans, accepted or not
   /// False: the map only localised the body and is discarded; the graph is unchanged.
   bool stored = true;
 };
@@ -148,14 +151,18 @@ class Mapping : private Evidence {
   [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
   [[nodiscard]] const LocalMapStore& local_maps() const { return maps_; }
+  /// Matches of 3D scans, also those whose loop closures are not in force.
+  [[nodiscard]] const std::vector<CloudMatch>& cloud_matches() const { return cloud_matches_; }
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
 
  private:
   MapUpdate add_local_map(LocalMap map);
   void localise_at_rest();
   [[nodiscard]] LocalMap map_at_body() const;
-  std::vector<Association> associate(const LocalMap& newest);
-  std::vector<Association> associate_clouds(int map, std::int64_t utime);
+  void associate(MapUpdate& update);
+  void associate_clouds(MapUpdate& update);
+  void add_places(std::span<const CloudMatch> matches);
+  void add_matches(std::span<const CloudMatch> matches);
   void place_cloud();
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
@@ -210,6 +217,7 @@ class Mapping : private Evidence {
   std::vector<double> reach_m_;  // of the extents
   MapHeights heights_;
   CloudMatching clouds_;
+  std::vector<CloudMatch> cloud_matches_;   ///< of stored local maps
   std::map<int, LevelError> level_errors_;  ///< by session
   std::optional<Cloud> new_cloud_;  ///< until the next scan shows in which local map it was taken
   ContradictionMonitor contradictions_;

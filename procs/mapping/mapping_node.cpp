@@ -11,6 +11,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/cloud_match.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
@@ -149,6 +150,9 @@ void MappingNode::publish_update(const MapUpdate& update) {
   }
   for (const Association& association : update.associations) {
     publish(bus_, channels::kAssociation, to_message(association));
+  }
+  for (const CloudMatch& match : update.cloud_matches) {
+    publish(bus_, channels::kCloudMatch, to_message(match));
   }
   publish_graph();
 }

@@ -37,7 +37,8 @@ struct MappingNodeParams : MappingParams {
 ///      MAP_REQUEST (map_request_t); WHEEL_ODOMETRY (wheel_odometry_t), if there are wheels; CLOUD
 ///      (cloud_t), if there are 3D scans.
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
-///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
+///      fragments, ASSOCIATION (association_t) for each decision, CLOUD_MATCH
+///      (cloud_match_t) for each match of 3D scans, MAP_CORRECTION
 ///      (map_correction_t), which is repeated each second with the present uncertainty;
 ///      CONTRADICTIONS (map_contradictions_t) on change.
 ///      On request all local maps again, some fragments at a time, with the graph before and after.

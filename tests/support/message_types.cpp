@@ -14,6 +14,7 @@
 #include "common/messages/lidar.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/cloud_match.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
@@ -255,6 +256,7 @@ std::vector<MessageType> stage_types() {
   const ConfigSnapshot config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
   const MapCorrection correction{kUtime, 12, 0, 40, {0.3, -0.2, 0.01}, kCovariance};
   const MapContradictions contradictions{kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}};
+  const CloudMatch cloud_match{{kUtime - 5, 3, 0.1, 2.0}, {kUtime, 4, 0.0, 0.0}, {5.0, 0.2, 0.1}};
   const StageStats stats{kUtime,
                          "mapping",
                          5.0,
@@ -272,6 +274,7 @@ std::vector<MessageType> stage_types() {
           type_of(channels::kMapCorrection, to_message(correction)),
           type_of(channels::kAssociation, to_message(sample_association())),
           type_of(channels::kContradictions, to_message(contradictions)),
+          type_of(channels::kCloudMatch, to_message(cloud_match)),
           type_of(channels::kHeartbeat, to_message(heartbeat)),
           type_of(channels::kConfig, to_message(config)),
           type_of(channels::kStageStats, to_message(stats))};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -129,7 +130,12 @@ bool write_joined_journal(const RunGroup& group, const std::vector<RunInfo>& run
   if (!same) return false;
   MapJournal journal(folder / "map.journal");
   const LocalMapStore& maps = group.map->local_maps();
-  for (std::size_t i = 0; i < maps.size(); ++i) journal.append(MapUpdate{maps.load(i), {}, true});
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    MapUpdate update{maps.load(i), {}, {}, true};
+    std::ranges::copy_if(group.map->cloud_matches(), std::back_inserter(update.cloud_matches),
+                         [&](const CloudMatch& match) { return match.newer.map == update.map.id; });
+    journal.append(update);
+  }
   const LazyAssociation& association = group.map->association();
   std::vector<Association> decided;
   for (std::size_t k = 0; k < association.problem().loop_closures.size(); ++k) {

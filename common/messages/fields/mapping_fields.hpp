@@ -3,6 +3,7 @@
 #pragma once
 
 #include "adit/association_t.hpp"
+#include "adit/cloud_match_t.hpp"
 #include "adit/cloud_request_t.hpp"
 #include "adit/cloud_t.hpp"
 #include "adit/local_map_t.hpp"
@@ -208,6 +209,35 @@ struct Fields<association_t> {
           kOptionalId.because("choice is not an alternative"));
     field("log_likelihood", m.log_likelihood, kLikelihood);
     field("reason", m.reason, kSentence);
+  }
+};
+
+template <>
+struct Fields<cloud_match_t> {
+  static void visit(auto& m, auto& field) {
+    constexpr Quantity kDeviation{1e-6, 1e4, "invalid standard deviation"};
+    constexpr Quantity kTilt{-0.5, 0.5, "implausible tilt"};
+    constexpr Quantity kTiltVariance{1e-12, 1.0, "invalid covariance"};
+    constexpr Quantity kTiltCovariance{-1.0, 1.0, "invalid covariance"};
+    field("utime", m.utime, kTime);
+    field("older_utime", m.older_utime, kTime);
+    field("older_map", m.older_map, kId);
+    field("newer_map", m.newer_map, kId);
+    field("older_z_m", m.older_z_m, kHeight);
+    field("newer_z_m", m.newer_z_m, kHeight);
+    field("older_forward_m", m.older_forward_m, kSignedDistance);
+    field("newer_forward_m", m.newer_forward_m, kSignedDistance);
+    field.pose("T_older_newer", m.T_older_newer);
+    field("turn_rad", m.turn_rad, kHeading);
+    field("rise_m", m.rise_m, kHeight);
+    field("rise_sd_m", m.rise_sd_m, kDeviation);
+    field("lever_x_m", m.lever_x_m, kSignedDistance);
+    field("lever_y_m", m.lever_y_m, kSignedDistance);
+    field("roll_rad", m.roll_rad, kTilt);
+    field("pitch_rad", m.pitch_rad, kTilt);
+    field("roll_variance", m.roll_variance, kTiltVariance);
+    field("pitch_variance", m.pitch_variance, kTiltVariance);
+    field("roll_pitch_covariance", m.roll_pitch_covariance, kTiltCovariance);
   }
 };
 

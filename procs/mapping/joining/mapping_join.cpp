@@ -203,7 +203,14 @@ void Mapping::append_run(const Mapping& run, RunJoin& join) {
     decided.push_back(std::move(a));
   }
   association_.restore(decided);
+  std::vector<CloudMatch> matches = run.cloud_matches_;
+  for (CloudMatch& match : matches) {
+    match.older.map += first;
+    match.newer.map += first;
+  }
+  add_places(matches);
   heights_.add_new(maps_.headers());
+  add_matches(matches);
   update_heights();
 }
 

@@ -52,6 +52,16 @@ TEST_F(MapJournalOnDisk, RestoresTheUnfinishedLocalMap) {
   EXPECT_EQ(*stored.unfinished, local_map(1, 5));
 }
 
+TEST_F(MapJournalOnDisk, RestoresTheMatchesOf3DScans) {
+  const CloudMatch match{{1, 0, 0.1, 2.0}, {2, 1, 0.0, 0.0}, {5.0, 0.2, 0.1}};
+  {
+    MapJournal journal(path_);
+    journal.append({local_map(0, 3), {}});
+    journal.append({local_map(1, 3), {}, {match}});
+  }
+  EXPECT_EQ(read_map_journal(path_).cloud_matches, std::vector<CloudMatch>{match});
+}
+
 TEST_F(MapJournalOnDisk, LosesOnePartToATruncatedRecord) {
   {
     MapJournal journal(path_);

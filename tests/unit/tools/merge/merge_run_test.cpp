@@ -28,7 +28,7 @@ std::filesystem::path write_run(const std::filesystem::path& folder, int mine, c
   const test::WalkedMap walk = test::walked_map(test::sample_mine(mine), path, {.seed = seed});
   MapJournal journal(folder / "map.journal");
   for (std::size_t i = 0; i < walk.map->local_maps().size(); ++i)
-    journal.append(MapUpdate{walk.map->local_maps().load(i), {}, true});
+    journal.append(MapUpdate{walk.map->local_maps().load(i), {}, {}, true});
   return folder;
 }
 

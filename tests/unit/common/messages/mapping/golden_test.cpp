@@ -12,6 +12,7 @@
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/cloud_match.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
@@ -252,6 +253,42 @@ TEST(Golden, MapContradictions) {
   message.newer_maps = {40, 41};
   message.evidence = {55.5, 31.25};
   expect_golden(message, MapContradictions{kUtime, 12, {{3, 40, 55.5}, {4, 41, 31.25}}});
+}
+
+TEST(Golden, CloudMatch) {
+  cloud_match_t message;
+  message.utime = kUtime;
+  message.older_utime = kUtime - 5;
+  message.older_map = 3;
+  message.newer_map = 40;
+  message.older_z_m = 0.5;
+  message.newer_z_m = 0.25;
+  message.older_forward_m = 2.5;
+  message.newer_forward_m = 1.25;
+  std::ranges::copy(std::array{0.5, 0.25, 0.125}, message.T_older_newer);
+  message.turn_rad = 0.75;
+  message.rise_m = 1.5;
+  message.rise_sd_m = 0.0625;
+  message.lever_x_m = 7.5;
+  message.lever_y_m = -0.5;
+  message.roll_rad = 0.125;
+  message.pitch_rad = -0.25;
+  message.roll_variance = 0.5;
+  message.pitch_variance = 0.25;
+  message.roll_pitch_covariance = 0.125;
+  CloudMatch match{{kUtime - 5, 3, 0.5, 2.5}, {kUtime, 40, 0.25, 1.25}, {0.5, 0.25, 0.125}};
+  match.turn_rad = 0.75;
+  match.rise_m = 1.5;
+  match.rise_sd_m = 0.0625;
+  match.lever_m = {7.5, -0.5};
+  match.tilt_rad = {0.125, -0.25};
+  match.tilt_covariance << 0.5, 0.125, 0.125, 0.25;
+  expect_golden(message, match);
+  message.older_map = 40;
+  EXPECT_FALSE(from_message(message));
+  message.older_map = 3;
+  message.roll_pitch_covariance = 0.5;
+  EXPECT_FALSE(from_message(message));
 }
 
 TEST(Golden, Cloud) {

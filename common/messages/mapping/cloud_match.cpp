@@ -40,8 +40,7 @@ Result<CloudMatch> from_message(const cloud_match_t& message) {
   if (!(match.tilt_covariance.determinant() > 0.0)) return Rejected{"invalid covariance"};
   match.older = {message.older_utime, message.older_map, message.older_z_m,
                  message.older_forward_m};
-  match.newer = {message.utime, message.newer_map, message.newer_z_m,
-                 message.newer_forward_m};
+  match.newer = {message.utime, message.newer_map, message.newer_z_m, message.newer_forward_m};
   match.T_older_newer = pose_from(message.T_older_newer);
   match.turn_rad = message.turn_rad;
   match.rise_m = message.rise_m;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace adit {
 namespace {
@@ -86,15 +87,17 @@ void MapHeights::add_climbs(const std::vector<LocalMap>& maps) {
 }
 
 void MapHeights::add_scans(const LocalMap& map) {
-  for (const CloudPlace& place : places_) {
-    if (place.map != map.id) continue;
+  const auto of_map = scans_.find(map.id);
+  if (of_map == scans_.end()) return;
+  for (Scan& scan : of_map->second) {
+    const CloudPlace& place = scan.place;
     const int node = field_.add_node();
     const int constraint = field_.add({node_of(map.id),
                                        node,
                                        place.z_m,
                                        scan_sd_m(map, place),
                                        {{{map.session, place.forward_m}}}});
-    scans_.push_back({place, {node, constraint}});
+    scan.node = {node, constraint};
   }
 }
 
@@ -108,12 +111,12 @@ double MapHeights::scan_sd_m(const LocalMap& map, const CloudPlace& place) const
 /// With its 3D scans, which are later nodes of the field.
 void MapHeights::remove_newest_map() {
   const int map = static_cast<int>(maps_.size()) - 1;
-  for (; !scans_.empty() && scans_.back().place.map == map; scans_.pop_back()) {
-    field_.remove(scans_.back().node.constraint);
+  for (const Scan& scan : std::views::reverse(scans_[map])) {
+    field_.remove(scan.node->constraint);
     field_.remove_newest_node();
   }
-  std::erase_if(places_, [map](const CloudPlace& place) { return place.map == map; });
-  std::erase_if(matches_, [map](const auto& entry) { return entry.first[1] == map; });
+  scans_.erase(map);
+  matches_.erase(map);
   if (map > 0) {
     field_.remove(maps_.back().constraint);
     field_.remove_newest_node();
@@ -122,23 +125,36 @@ void MapHeights::remove_newest_map() {
 }
 
 void MapHeights::add(const CloudPlace& place) {
-  if (std::ranges::find(places_, place) == places_.end()) places_.push_back(place);
+  std::vector<Scan>& scans = scans_[place.map];
+  if (std::ranges::find(scans, place, &Scan::place) == scans.end()) scans.push_back({place, {}});
 }
 
 void MapHeights::add(const CloudMatch& match) {
-  matches_[{match.older.map, match.newer.map}].push_back(match);
+  add(match.older);
+  add(match.newer);
+  matches_[match.newer.map].push_back(match);
 }
 
-bool MapHeights::is_match(const PoseConstraint& loop_closure) const {
-  return match_of(loop_closure) != nullptr;
+const std::vector<CloudMatch>& MapHeights::matches_of(int newer_map) const {
+  static const std::vector<CloudMatch> none;
+  const auto entry = matches_.find(newer_map);
+  return entry == matches_.end() ? none : entry->second;
 }
 
 const CloudMatch* MapHeights::match_of(const PoseConstraint& loop_closure) const {
-  const auto entry = matches_.find({loop_closure.from, loop_closure.to});
-  if (entry == matches_.end()) return nullptr;
-  const auto match =
-      std::ranges::find(entry->second, loop_closure.T_from_to, &CloudMatch::T_older_newer);
-  return match == entry->second.end() ? nullptr : &*match;
+  const std::vector<CloudMatch>& matches = matches_of(loop_closure.to);
+  const auto match = std::ranges::find_if(matches, [&](const CloudMatch& m) {
+    return m.older.map == loop_closure.from && m.T_older_newer == loop_closure.T_from_to;
+  });
+  return match == matches.end() ? nullptr : &*match;
+}
+
+std::optional<int> MapHeights::node_of(const CloudPlace& place) const {
+  const auto of_map = scans_.find(place.map);
+  if (of_map == scans_.end()) return std::nullopt;
+  const auto scan = std::ranges::find(of_map->second, place, &Scan::place);
+  if (scan == of_map->second.end() || !scan->node) return std::nullopt;
+  return scan->node->node;
 }
 
 Eigen::VectorXd MapHeights::variances_to(int map) const {
@@ -168,14 +184,11 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const WallStore& wall
 
 /// The 3D scans are one above the other by what both see; −1 if one of them is not in the field.
 int MapHeights::add_to_field(const CloudMatch& match, int session) {
-  const auto find = [&](const CloudPlace& place) {
-    return std::ranges::find(scans_, place, &Scan::place);
-  };
-  const auto older = find(match.older);
-  const auto newer = find(match.newer);
-  if (older == scans_.end() || newer == scans_.end()) return -1;
-  return field_.add({older->node.node,
-                     newer->node.node,
+  const auto older = node_of(match.older);
+  const auto newer = node_of(match.newer);
+  if (!older || !newer) return -1;
+  return field_.add({*older,
+                     *newer,
                      match.rise_m,
                      match.rise_sd_m,
                      {{{session, match.lever_m.x(), match.lever_m.y()}}}});

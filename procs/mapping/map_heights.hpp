@@ -4,6 +4,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -63,10 +64,17 @@ class MapHeights {
 
   /// Adds a place where a 3D scan was taken, before its local map is added.
   void add(const CloudPlace& place);
-  /// Adds what a match tells. It counts while its loop closure is in force.
+  /// Adds what a match tells, before the newer of its local maps is added or with the places of its
+  /// 3D scans known. It counts while its loop closure is in force.
   void add(const CloudMatch& match);
-  /// Whether a loop closure is a match of 3D scans that was added.
-  [[nodiscard]] bool is_match(const PoseConstraint& loop_closure) const;
+  /// The matches of the 3D scans of a local map with earlier ones, in the order in which they were
+  /// added.
+  [[nodiscard]] const std::vector<CloudMatch>& matches_of(int newer_map) const;
+  /// The match of 3D scans that a loop closure is; nullptr if it is none that was added.
+  [[nodiscard]] const CloudMatch* match_of(const PoseConstraint& loop_closure) const;
+  [[nodiscard]] bool is_match(const PoseConstraint& loop_closure) const {
+    return match_of(loop_closure) != nullptr;
+  }
 
   /// Adds the local maps that are new.
   void add_new(const std::vector<LocalMap>& maps);
@@ -98,10 +106,10 @@ class MapHeights {
 
   void add_climbs(const std::vector<LocalMap>& maps);
   void add_scans(const LocalMap& map);
+  [[nodiscard]] std::optional<int> node_of(const CloudPlace& place) const;
   [[nodiscard]] double scan_sd_m(const LocalMap& map, const CloudPlace& place) const;
   void remove_newest_map();
   [[nodiscard]] int node_of(int map) const { return maps_[static_cast<std::size_t>(map)].node; }
-  [[nodiscard]] const CloudMatch* match_of(const PoseConstraint& loop_closure) const;
   [[nodiscard]] int add_to_field(const CloudMatch& match, int session);
   [[nodiscard]] int add_to_field(const PoseConstraint& loop_closure,
                                  const std::vector<LocalMap>& maps, const WallStore& walls);
@@ -125,11 +133,10 @@ class MapHeights {
   std::vector<Node> maps_;
   struct Scan {
     CloudPlace place;
-    Node node;
+    std::optional<Node> node;  ///< none until its local map is added
   };
-  std::vector<CloudPlace> places_;  ///< of 3D scans, also of local maps that are not added yet
-  std::vector<Scan> scans_;         ///< of local maps that are
-  std::map<std::array<int, 2>, std::vector<CloudMatch>> matches_;  ///< by local maps
+  std::map<int, std::vector<Scan>> scans_;          ///< by local map
+  std::map<int, std::vector<CloudMatch>> matches_;  ///< by newer local map
   std::vector<LoopClosureInForce> loop_closures_;
   struct Offset {
     Pose2 T_from_to;

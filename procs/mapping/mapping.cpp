@@ -90,7 +90,6 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   end_is_lost_ = stored.losses.end;
   for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
-  add_places(stored.cloud_matches);
   add_matches(stored.cloud_matches);
   update_heights();
   revision_ = static_cast<std::int64_t>(maps_.size());
@@ -280,29 +279,19 @@ void Mapping::associate_clouds(MapUpdate& update) {
   add_matches(update.cloud_matches);
 }
 
-/// Adds the places of 3D scans that were matched, of local maps that have no heights yet.
-void Mapping::add_places(std::span<const CloudMatch> matches) {
-  for (const CloudMatch& match : matches) {
-    for (const CloudPlace& place : {match.older, match.newer}) heights_.add(place);
-  }
-}
-
 /// Adds what matches of 3D scans tell of heights and, of those whose loop closures are accepted, of
-/// the constant error of the attitude.
+/// the constant error of the attitude. In the order of their newer local maps, which have none yet.
 void Mapping::add_matches(std::span<const CloudMatch> matches) {
   for (const CloudMatch& match : matches) heights_.add(match);
-  cloud_matches_.insert(cloud_matches_.end(), matches.begin(), matches.end());
   const auto in_force = constraints_in_force(association_.problem(), association_.hypothesis());
-  for (const CloudMatch& match : matches) {
-    const bool accepted = std::ranges::any_of(in_force, [&](const PoseConstraint& c) {
-      return c.from == match.older.map && c.to == match.newer.map &&
-             c.T_from_to == match.T_older_newer;
-    });
-    if (!accepted) continue;
-    const int session = maps_[static_cast<std::size_t>(match.newer.map)].session;
+  for (const PoseConstraint& loop_closure : in_force) {
+    if (matches.empty() || loop_closure.to < matches.front().newer.map) continue;
+    const CloudMatch* const match = heights_.match_of(loop_closure);
+    if (match == nullptr) continue;
+    const int session = maps_[static_cast<std::size_t>(loop_closure.to)].session;
     LevelError& error =
         level_errors_.try_emplace(session, params_.heights.pitch_sd_rad).first->second;
-    error.add(match.turn_rad, match.tilt_rad, match.tilt_covariance);
+    error.add(match->turn_rad, match->tilt_rad, match->tilt_covariance);
     heights_.set_tilt_prior(session, error.as_prior());
   }
 }
@@ -391,8 +380,6 @@ void Mapping::append_map(LocalMap map) {
 }
 
 void Mapping::remove_newest_map() {
-  const int map = static_cast<int>(maps_.size()) - 1;
-  std::erase_if(cloud_matches_, [map](const CloudMatch& match) { return match.newer.map == map; });
   maps_.pop_back();
   walls_.pop_back();
   extents_.pop_back();

@@ -151,8 +151,11 @@ class Mapping : private Evidence {
   [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
   [[nodiscard]] const LocalMapStore& local_maps() const { return maps_; }
-  /// Matches of 3D scans, also those whose loop closures are not in force.
-  [[nodiscard]] const std::vector<CloudMatch>& cloud_matches() const { return cloud_matches_; }
+  /// Matches of the 3D scans of a local map with earlier ones, also those whose loop closures are
+  /// not in force.
+  [[nodiscard]] const std::vector<CloudMatch>& cloud_matches(int newer_map) const {
+    return heights_.matches_of(newer_map);
+  }
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
 
  private:
@@ -161,7 +164,6 @@ class Mapping : private Evidence {
   [[nodiscard]] LocalMap map_at_body() const;
   void associate(MapUpdate& update);
   void associate_clouds(MapUpdate& update);
-  void add_places(std::span<const CloudMatch> matches);
   void add_matches(std::span<const CloudMatch> matches);
   void place_cloud();
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
@@ -217,7 +219,6 @@ class Mapping : private Evidence {
   std::vector<double> reach_m_;  // of the extents
   MapHeights heights_;
   CloudMatching clouds_;
-  std::vector<CloudMatch> cloud_matches_;   ///< of stored local maps
   std::map<int, LevelError> level_errors_;  ///< by session
   std::optional<Cloud> new_cloud_;  ///< until the next scan shows in which local map it was taken
   ContradictionMonitor contradictions_;

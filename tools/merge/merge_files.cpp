@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,10 +130,8 @@ bool write_joined_journal(const RunGroup& group, const std::vector<RunInfo>& run
   MapJournal journal(folder / "map.journal");
   const LocalMapStore& maps = group.map->local_maps();
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    MapUpdate update{maps.load(i), {}, {}, true};
-    std::ranges::copy_if(group.map->cloud_matches(), std::back_inserter(update.cloud_matches),
-                         [&](const CloudMatch& match) { return match.newer.map == update.map.id; });
-    journal.append(update);
+    journal.append(
+        MapUpdate{maps.load(i), {}, group.map->cloud_matches(static_cast<int>(i)), true});
   }
   const LazyAssociation& association = group.map->association();
   std::vector<Association> decided;

@@ -203,14 +203,16 @@ void Mapping::append_run(const Mapping& run, RunJoin& join) {
     decided.push_back(std::move(a));
   }
   association_.restore(decided);
-  std::vector<CloudMatch> matches = run.cloud_matches_;
-  for (CloudMatch& match : matches) {
-    match.older.map += first;
-    match.newer.map += first;
+  std::vector<CloudMatch> matches;
+  for (int map = 0; map < static_cast<int>(run.maps_.size()); ++map) {
+    for (CloudMatch match : run.cloud_matches(map)) {
+      match.older.map += first;
+      match.newer.map += first;
+      matches.push_back(match);
+    }
   }
-  add_places(matches);
-  heights_.add_new(maps_.headers());
   add_matches(matches);
+  heights_.add_new(maps_.headers());
   update_heights();
 }
 

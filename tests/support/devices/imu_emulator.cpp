@@ -150,13 +150,8 @@ void ImuEmulator::measure(std::int64_t until) {
 std::vector<TimedByte> ImuEmulator::advance(std::int64_t utime, int host_baud) {
   if (!is_on_) return {};
   measure(utime);
-  std::vector<TimedByte> sent;
-  while (!line_.empty() && line_.front().utime <= utime) {
-    TimedByte byte = line_.front();
-    line_.pop_front();
-    if (host_baud != baud_) byte.byte = static_cast<std::uint8_t>(random_());
-    sent.push_back(byte);
-  }
+  std::vector<TimedByte> sent = take_due(line_, utime);
+  if (host_baud != baud_) garble(sent, random_);
   if (baud_after_ != 0 && line_.empty()) {
     baud_ = baud_after_;
     baud_after_ = 0;

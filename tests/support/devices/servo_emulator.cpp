@@ -251,13 +251,8 @@ std::vector<TimedByte> ServoEmulator::advance(std::int64_t utime, int host_baud)
     if (input_.size() == before) break;
   }
   move(utime);
-  std::vector<TimedByte> sent;
-  while (!line_.empty() && line_.front().utime <= utime) {
-    TimedByte byte = line_.front();
-    line_.pop_front();
-    if (host_baud != params_.baud) byte.byte = static_cast<std::uint8_t>(random_());
-    sent.push_back(byte);
-  }
+  std::vector<TimedByte> sent = take_due(line_, utime);
+  if (host_baud != params_.baud) garble(sent, random_);
   return sent;
 }
 

@@ -229,7 +229,6 @@ std::vector<TimedByte> LmsEmulator::advance(std::int64_t utime, int host_baud) {
     content.insert(content.end(), type.begin(), type.end());
     enqueue(frame(content), booted_, 0);
   }
-  std::vector<TimedByte> sent;
   while (true) {
     if (pending_.empty()) measure(utime);
     if (pending_.empty() || pending_.front().start > utime) break;
@@ -244,11 +243,7 @@ std::vector<TimedByte> LmsEmulator::advance(std::int64_t utime, int host_baud) {
     line_free_ = std::llround(at_us);
     if (next.baud_after != 0) baud_ = next.baud_after;
   }
-  while (!line_.empty() && line_.front().utime <= utime) {
-    sent.push_back(line_.front());
-    line_.pop_front();
-  }
-  return sent;
+  return take_due(line_, utime);
 }
 
 }  // namespace adit

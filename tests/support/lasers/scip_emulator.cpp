@@ -201,12 +201,7 @@ std::vector<TimedByte> ScipEmulator::advance(std::int64_t utime, int host_baud) 
     line_free_us_ = std::llround(at_us);
     if (next.baud_after != 0) baud_ = next.baud_after;
   }
-  std::vector<TimedByte> sent;
-  while (!line_.empty() && line_.front().utime <= utime) {
-    sent.push_back(line_.front());
-    line_.pop_front();
-  }
-  return sent;
+  return take_due(line_, utime);
 }
 
 }  // namespace adit

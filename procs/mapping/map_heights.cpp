@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace adit {
 namespace {
@@ -111,8 +110,8 @@ double MapHeights::scan_sd_m(const LocalMap& map, const CloudPlace& place) const
 /// With its 3D scans, which are later nodes of the field.
 void MapHeights::remove_newest_map() {
   const int map = static_cast<int>(maps_.size()) - 1;
-  for (const Scan& scan : std::views::reverse(scans_[map])) {
-    field_.remove(scan.node->constraint);
+  for (std::vector<Scan>& scans = scans_[map]; !scans.empty(); scans.pop_back()) {
+    field_.remove(scans.back().node->constraint);
     field_.remove_newest_node();
   }
   scans_.erase(map);

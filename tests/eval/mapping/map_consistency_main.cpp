@@ -60,7 +60,15 @@ struct Consistency {
   }
 };
 
+struct ConstraintError {
+  MapConstraint constraint;
+  std::int64_t utime = 0;  ///< of its second local map
+  Eigen::Vector3d error;   ///< [m, m, rad] in the frame of its second local map
+  double squared = 0.0;    ///< normalised
+};
+
 struct Row {
+  std::vector<ConstraintError> errors;
   Consistency displacements;
   Consistency loop_closures;
   Consistency local_maps;
@@ -188,6 +196,7 @@ class Remapped {
     const double squared = error.dot(c.measured.information * error);
     const bool sequential = c.kind == MapConstraint::Kind::kSequential;
     (sequential ? row.displacements : row.loop_closures).add(squared, kChiSquare3);
+    row.errors.push_back({c, begin_of(c.measured.to) - begin_of(0), error, squared});
   }
 
   void add_body(const BodyPose& pose, const Pose2& start, Row& row) const {
@@ -221,7 +230,26 @@ void print_row(const std::string& name, const Row& row, const std::string& end) 
             << std::flush;
 }
 
-void print_table(const std::vector<std::filesystem::path>& logs) {
+void print_errors(const std::vector<ConstraintError>& errors) {
+  std::puts(
+      "\n| constraint | from | to | at (s) | displacement (m, m, mrad) | error (mm, mm, mrad) | "
+      "stated deviation (mm, mm, mrad) | normalised error squared (3) |\n"
+      "|---|---|---|---|---|---|---|---|");
+  for (const ConstraintError& e : errors) {
+    const auto& measured = e.constraint.measured;
+    const Eigen::Vector3d sd =
+        1e3 * Eigen::Matrix3d(measured.information.inverse()).diagonal().cwiseSqrt();
+    const Pose2& T = measured.T_from_to;
+    const bool sequential = e.constraint.kind == MapConstraint::Kind::kSequential;
+    std::printf(
+        "| %s | %d | %d | %.1f | %.2f, %.2f, %.0f | %.1f, %.1f, %.1f | %.1f, %.1f, %.1f | %.1f |\n",
+        sequential ? "displacement" : "loop closure", measured.from, measured.to,
+        1e-6 * static_cast<double>(e.utime), T.x, T.y, 1e3 * T.theta, 1e3 * e.error.x(),
+        1e3 * e.error.y(), 1e3 * e.error.z(), sd.x(), sd.y(), sd.z(), e.squared);
+  }
+}
+
+void print_table(const std::vector<std::filesystem::path>& logs, bool each) {
   print_heading(
       "| mission | displacements: number, in 95 % ellipsoid, mean normalised error squared (3) | "
       "loop closures (3) | local maps (3) | their RMSE in plan (m) | heights (1) | their RMSE (m) "
@@ -229,13 +257,16 @@ void print_table(const std::vector<std::filesystem::path>& logs) {
       "end: 95 %, error "
       "(m) |");
   Row sum;
+  std::vector<ConstraintError> errors;
   for (const std::filesystem::path& log : logs) {
     const Row row = Remapped(log).score();
     print_row(log.parent_path().filename().string(), row,
               format("%.2f, %.2f", std::sqrt(kChiSquare2) * row.body_sd_m, row.body_error_m));
     sum.add(row);
+    if (each) errors.insert(errors.end(), row.errors.begin(), row.errors.end());
   }
   print_row("all", sum, "");
+  if (each) print_errors(errors);
 }
 
 }  // namespace
@@ -245,8 +276,10 @@ int main(int argc, char** argv) try {
   CLI::App app("Compares the errors of maps with their covariances, as a table in Markdown");
   std::vector<std::filesystem::path> logs;
   app.add_option("LOGS", logs, "Logs of simulated missions")->required();
+  bool each = false;
+  app.add_flag("--each", each, "Print each displacement and loop closure too");
   CLI11_PARSE(app, argc, argv);
-  adit::print_table(logs);
+  adit::print_table(logs, each);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "map_consistency_table: " << error.what() << "\n";

@@ -26,10 +26,11 @@ struct Surfel {
   int next = -1;                                     ///< next surfel of the same bucket
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
-  /// Observed in one place at different heights: too steep for ground.
+  /// Observed in one place at different heights: too steep for ground. A pose that follows the line
+  /// in which beams meet a roof sees that in one place too, at heights that differ less.
   [[nodiscard]] bool is_steep() const { return z_max_m - z_min_m > kSteepM; }
 
-  static constexpr double kSteepM = 0.1;
+  static constexpr double kSteepM = 0.3;
 };
 
 /// The result of a nearest-surfel query, and how long it stays valid.

@@ -154,7 +154,7 @@ TEST(GradeGroups, ConstrainAlongTheCorridorAtShortRangeAndConstantHeight) {
 
 TEST(GradeGroups, AreWallsWhereTheReferenceIsSteep) {
   SurfelMap reference = reference_of(side_walls() + contour(kDistanceM));
-  reference.insert(side_walls() + contour(kDistanceM, 0.2), {}, 0.0);
+  reference.insert(side_walls() + contour(kDistanceM, 0.4), {}, 0.0);
   const PosePrior prior = prior_at({}, 0.05);
   const auto match = [&](std::optional<int> group) {
     return match_point_to_line(side_walls() + contour(kDistanceM - 0.1, kClimbM, group), reference,

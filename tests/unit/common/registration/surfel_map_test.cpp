@@ -98,14 +98,14 @@ TEST(SurfelMap, TakesForSteepWhatWasObservedInOnePlaceAtDifferentHeights) {
   };
   observe(1.0, 0.6);
   EXPECT_FALSE(map.surfels()[0].is_steep());
-  observe(1.0, 0.65);
-  observe(1.0, 0.56);
+  observe(1.0, 0.75);
+  observe(1.0, 0.46);
   ASSERT_EQ(map.surfels().size(), 1U);
-  EXPECT_FALSE(map.surfels()[0].is_steep());  // 0.09 m
-  observe(1.0, 0.54);
+  EXPECT_FALSE(map.surfels()[0].is_steep());  // 0.29 m
+  observe(1.0, 0.44);
   EXPECT_TRUE(map.surfels()[0].is_steep());
-  EXPECT_DOUBLE_EQ(map.surfels()[0].z_min_m, 0.54);
-  EXPECT_DOUBLE_EQ(map.surfels()[0].z_max_m, 0.65);
+  EXPECT_DOUBLE_EQ(map.surfels()[0].z_min_m, 0.44);
+  EXPECT_DOUBLE_EQ(map.surfels()[0].z_max_m, 0.75);
   observe(1.0, 0.6);
   EXPECT_TRUE(map.surfels()[0].is_steep());
   // Ground that rises by 20 %: what is 0.2 m higher is 1 m farther.

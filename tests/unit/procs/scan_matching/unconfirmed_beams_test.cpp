@@ -137,13 +137,13 @@ TEST(UnconfirmedBeams, AreNotThoseToWhatWasSeenInOnePlaceAtDifferentHeights) {
   body.scan_at(0.0);
   body.add(level_ground(3.0));
   expect_end_unconfirmed(body.scan_at(0.05), 0.05);
-  body.turn(0.05, 100);  // 0.05 rad: at 6 m the beams are 0.3 m lower
+  body.turn(0.08, 100);  // 0.08 rad: at 6 m the beams are 0.5 m lower
   for (int i = 1; i <= 5; ++i) body.scan_at(0.2 * i);
   // In the reference the wall ahead has both heights now. Where the beams of the first scan are far
   // apart some of it has one.
   const ScanMatch match = body.scan_at(1.2);
   const auto left = static_cast<double>(match.unconfirmed_beams.size());
-  EXPECT_LT(left, 0.3 * static_cast<double>(beams_to_the_end(1.2).size()));
+  EXPECT_LT(left, 0.4 * static_cast<double>(beams_to_the_end(1.2).size()));
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ namespace {
 
 double square(double x) { return x * x; }
 
-bool is_mostly_turn(const Eigen::Vector3d& direction) { return std::abs(direction.z()) > 0.7; }
+bool is_filled_by_wheels(const DegenerateDirection& direction) {
+  const bool mostly_turn = std::abs(direction.direction.z()) > 0.7;
+  return direction.fill == DegenerateDirection::Fill::kOdometry && !mostly_turn;
+}
 
 constexpr double kMatchSdM = 0.01;  // of the motion between two matches
 constexpr double kExplained = 1.0;  // mean of the squared difference along the direction of a slip
@@ -69,7 +72,8 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
     end_unobserved_stretch();
     return;
   }
-  unobserved_.add(unobserved_error(T_last_body, match, wheels_step));
+  accumulated_.add(wheels_filled_error(T_last_body, match));
+  unobserved_.add(unobserved_error(match, wheels_step));
   unobserved_m_ += T_last_body.translation().norm();
   unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
 }
@@ -154,12 +158,12 @@ std::optional<DisplacementError::ErrorCovariance> DisplacementError::carried_err
 }
 
 DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
-    const Pose2& T_last_body, const ScanMatch& match,
-    const std::optional<Pose2>& wheels_step) const {
+    const ScanMatch& match, const std::optional<Pose2>& wheels_step) const {
   ErrorCovariance part;
   if (match.status == ScanMatch::Status::kMatched) {
-    for (const auto& direction : match.degenerate)
-      part.add(unconstrained_error(direction, T_last_body, match));
+    for (const auto& direction : match.degenerate) {
+      if (!is_filled_by_wheels(direction)) part.add(unconstrained_error(direction, match));
+    }
     return part;
   }
   if (const auto carried = carried_error(match, wheels_step)) return *carried;
@@ -177,8 +181,26 @@ DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
   return part;
 }
 
+DisplacementError::ErrorCovariance DisplacementError::wheels_filled_error(
+    const Pose2& T_last_body, const ScanMatch& match) const {
+  ErrorCovariance part;
+  if (match.status != ScanMatch::Status::kMatched) return part;
+  const Eigen::Vector2d step = T_last_body.translation();
+  for (const auto& direction : match.degenerate) {
+    if (!is_filled_by_wheels(direction)) continue;
+    const Eigen::Vector3d& v = direction.direction;
+    const Eigen::Vector3d u = v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, match.lever_arm_m));
+    const double scale_m = params_.wheels_scale_sd * v.head<2>().dot(step);
+    ErrorCovariance error;
+    error.independent = square(params_.wheels_m_per_sqrt_m) * step.norm() * u * u.transpose();
+    error.common_root = scale_m * u * Eigen::RowVector3d::UnitX();
+    part.add(error);
+  }
+  return part;
+}
+
 DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
-    const DegenerateDirection& direction, const Pose2& T_last_body, const ScanMatch& match) const {
+    const DegenerateDirection& direction, const ScanMatch& match) const {
   ErrorCovariance part;
   const double lever = match.lever_arm_m;
   const Eigen::Vector3d& v = direction.direction;
@@ -187,11 +209,6 @@ DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
     const Eigen::Vector3d sd(params_.speed_sd_m_s, params_.speed_sd_m_s,
                              params_.turn_sd_rad_s * lever);
     part.common_root = duration_s(match) * u * v.cwiseProduct(sd).transpose();
-  } else if (direction.fill == DegenerateDirection::Fill::kOdometry && !is_mostly_turn(v)) {
-    const Eigen::Vector2d step = T_last_body.translation();
-    const double scale_m = params_.wheels_scale_sd * v.head<2>().dot(step);
-    part.independent = square(params_.wheels_m_per_sqrt_m) * step.norm() * u * u.transpose();
-    part.common_root = scale_m * u * Eigen::RowVector3d::UnitX();
   } else {
     const Eigen::Vector3d w = v.cwiseProduct(Eigen::Vector3d(1.0, 1.0, lever));
     part.independent = w.dot(match.covariance * w) * u * u.transpose();

@@ -60,8 +60,9 @@ struct DisplacementErrorParams {
 /// scan: that of the wheels, a random walk and an error of scale (Borenstein and Feng, "Measurement
 /// and correction of systematic odometry errors in mobile robots", 1996); that of the gyro, assumed
 /// independent from step to step; or that of an assumed speed, which is the same in all steps. A
-/// short stretch of degenerate or lost scans leaves no error: the next good scan is matched against
-/// the same walls.
+/// short stretch of scans that are lost or degenerate without wheels leaves no error: the next good
+/// scan is matched against the same walls. What the wheels filled stays: where some scans constrain
+/// a direction and others do not, the former do so weakly.
 ///
 /// Two lasers are matched each against what it saw itself. Where surfaces deceive one of them, such
 /// as ground that it takes for a wall, their poses part, and later only one of them remains. Which
@@ -102,12 +103,13 @@ class DisplacementError {
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  [[nodiscard]] ErrorCovariance unobserved_error(const Pose2& T_last_body, const ScanMatch& match,
+  [[nodiscard]] ErrorCovariance wheels_filled_error(const Pose2& T_last_body,
+                                                    const ScanMatch& match) const;
+  [[nodiscard]] ErrorCovariance unobserved_error(const ScanMatch& match,
                                                  const std::optional<Pose2>& wheels_step) const;
   [[nodiscard]] std::optional<ErrorCovariance> carried_error(
       const ScanMatch& match, const std::optional<Pose2>& wheels_step) const;
   [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
-                                                    const Pose2& T_last_body,
                                                     const ScanMatch& match) const;
   /// The motion by scans compared with that by the wheels, in the present body frame.
   struct WheelComparison {

@@ -83,6 +83,21 @@ TEST(DisplacementError, UsesTheWheelsInDegenerateDirections) {
   EXPECT_NEAR(sd(error, 1), sd(closed, 1), 1e-6);  // the direction across is constrained by scans
 }
 
+/// Where every second scan constrains the direction, half of it is measured by the wheels.
+TEST(DisplacementError, KeepsWhatTheWheelsFilledBetweenOtherScans) {
+  const DisplacementErrorParams params;
+  DisplacementError error{params};
+  for (int i = 0; i < 25; ++i) {
+    drive(error, open_along_x(DegenerateDirection::Fill::kOdometry), 1);
+    drive(error, matched(), 1);
+  }
+  const double walk_m = params.wheels_m_per_sqrt_m * std::sqrt(2.5);
+  const double scale_m = params.wheels_scale_sd * 2.5;
+  const double drift_m = params.drift_m_per_sqrt_m * std::sqrt(5.0);
+  const double all_m = std::sqrt(walk_m * walk_m + scale_m * scale_m + drift_m * drift_m);
+  EXPECT_NEAR(sd(error, 0), all_m, params.floor_m);
+}
+
 TEST(DisplacementError, OfTheWheelsDependsOnDistanceAndNotOnTheNumberOfScans) {
   DisplacementError few{DisplacementErrorParams{}};
   drive(few, open_along_x(DegenerateDirection::Fill::kOdometry), 50);

@@ -658,7 +658,8 @@ std::vector<PlacedWalls> Mapping::walls_around(int map, std::span<const Pose2> T
     if (k < 0 || k >= static_cast<int>(T_map_local.size())) continue;
     if (maps_[at(k)].session != maps_[at(map)].session) continue;
     const double z_m = k < map ? -maps_[at(map)].climb_m : k > map ? maps_[at(k)].climb_m : 0.0;
-    placed.push_back({walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)]), z_m});
+    placed.push_back({walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)]), z_m,
+                      association_.problem().odometry.between(map, k).covariance});
   }
   return placed;
 }

@@ -36,12 +36,25 @@ Eigen::Matrix3d planar_information(const Matrix6d& information, const Matrix6d& 
          Eigen::Matrix3d::Identity() / (kUnconstrainedSd * kUnconstrainedSd);
 }
 
+/// Of the horizontal directions from the laser; zero for a scan of the full circle.
+Eigen::Vector2d mean_direction(const Cloud& cloud) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const CloudLine& line : cloud.lines) {
+    for (const Eigen::Vector3f& p : line.points) {
+      const Eigen::Vector2d direction = (p - line.origin).head<2>().cast<double>();
+      sum += direction.stableNormalized();
+    }
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(1, cloud.points()));
+}
+
 }  // namespace
 
 void CloudMatching::add(const Cloud& cloud, int session, const CloudPlace& place,
                         const Pose2& T_local_level) {
   if (params_.stored_max == 0) return;
-  scans_.push_back({session, place, T_local_level, RegistrationCloud(cloud, params_.registration)});
+  scans_.push_back({session, place, T_local_level, mean_direction(cloud),
+                    RegistrationCloud(cloud, params_.registration)});
   while (scans_.size() > static_cast<std::size_t>(params_.stored_max)) scans_.pop_front();
 }
 
@@ -72,6 +85,7 @@ std::vector<MatchedClouds> CloudMatching::matches(
       const Pose2 T_older_newer = between(older_map.T_map_local * older.T_local_level, T_map_newer);
       const double distance_m = T_older_newer.translation().norm();
       if (distance_m > params_.distance_max_m) continue;
+      if (look_at_each_other(newer, older, T_older_newer)) continue;
       pairs.push_back({distance_m, &older, T_older_newer,
                        newer_map.z_m + newer.place.z_m - older_map.z_m - older.place.z_m});
     }
@@ -95,14 +109,22 @@ std::vector<CloudPlace> CloudMatching::places(int map) const {
   return found;
 }
 
-/// Covariance of what a match is not used for, in the frame of the newer scan.
+bool CloudMatching::look_at_each_other(const Scan& newer, const Scan& older,
+                                       const Pose2& T_older_newer) const {
+  const Eigen::Vector2d view = Eigen::Rotation2Dd(T_older_newer.theta) * newer.view;
+  return older.view.dot(view) < params_.view_cosine_min * older.view.norm() * view.norm();
+}
+
+/// Covariance of what a match is not used for, in the frame of the newer scan, and the least along
+/// the displacement.
 Eigen::Matrix3d CloudMatching::beside_displacement(const Pose2& T_older_newer) const {
   const Eigen::Vector2d along =
       Eigen::Rotation2Dd(-T_older_newer.theta) * T_older_newer.translation().stableNormalized();
   const Eigen::Vector2d across(-along.y(), along.x());
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   covariance.topLeftCorner<2, 2>() =
-      params_.across_sd_m * params_.across_sd_m * across * across.transpose();
+      params_.across_sd_m * params_.across_sd_m * across * across.transpose() +
+      params_.displacement_floor_m * params_.displacement_floor_m * along * along.transpose();
   covariance(2, 2) = params_.turn_sd_rad * params_.turn_sd_rad;
   return covariance;
 }
@@ -128,7 +150,8 @@ std::optional<MatchedClouds> CloudMatching::match(const Scan& newer, const Scan&
   };
   const UncertainPose T_older_level{older.T_local_level, placed(older)};
   const UncertainPose T_level_newer{newer.T_local_level.inverse(), placed(newer)};
-  Eigen::Matrix3d covariance = planar_information(matched.information, prior.information).inverse();
+  Eigen::Matrix3d covariance = params_.displacement_variance_share *
+                               planar_information(matched.information, prior.information).inverse();
   covariance += beside_displacement(T_levels);
   const UncertainPose between_levels{T_levels, covariance};
   const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;

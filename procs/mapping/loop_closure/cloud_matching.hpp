@@ -35,10 +35,15 @@ struct CloudMatchingParams {
   double height_sd_m = 0.1;      ///< of its rise
   /// Of the attitude from 3D scan to 3D scan, without its constant error.
   double attitude_sd_rad = 0.0005;
-  /// Share of the variance of the registration, whose errors along a tunnel agree over many
-  /// patches, that the tilt of two level frames has.
+  /// Shares of the variance of the registration, in which errors agree over many patches: of the
+  /// displacement, and of the tilt of two level frames.
+  double displacement_variance_share = 0.25;
   double tilt_variance_share = 0.2;
-  double level_sd_rad = 0.01;  ///< of the relative roll and pitch of two level frames
+  /// Cosine between the mean directions of view of two 3D scans. Below, they look at each other:
+  /// each sees the sides of the same stones that the other does not, and errs by up to 0.4 m.
+  double view_cosine_min = -0.2;
+  double level_sd_rad = 0.01;            ///< of the relative roll and pitch of two level frames
+  double displacement_floor_m = 0.0025;  ///< minimum standard deviation of the displacement
   /// Across the displacement, and of its turn, planar scans are more accurate: the match errs alike
   /// from 3D scan to 3D scan, by 0.5 mrad on average.
   double across_sd_m = 0.05;
@@ -57,8 +62,11 @@ struct CloudMatchingParams {
     v("prior_sd_rad", prior_sd_rad, within(1e-4, 1.0));
     v("height_sd_m", height_sd_m, within(1e-3, 10.0));
     v("attitude_sd_rad", attitude_sd_rad, within(1e-6, 1.0));
+    v("displacement_variance_share", displacement_variance_share, within(1e-3, 10.0));
     v("tilt_variance_share", tilt_variance_share, within(1e-3, 10.0));
+    v("view_cosine_min", view_cosine_min, within(-1.0, 1.0));
     v("level_sd_rad", level_sd_rad, within(1e-4, 1.0));
+    v("displacement_floor_m", displacement_floor_m, within(0.0, 1.0));
     v("across_sd_m", across_sd_m, within(0.0, 10.0));
     v("turn_sd_rad", turn_sd_rad, within(0.0, 1.0));
     v("place_m_per_sqrt_m", place_m_per_sqrt_m, within(0.0, 1.0));
@@ -100,8 +108,11 @@ class CloudMatching {
     int session;
     CloudPlace place;
     Pose2 T_local_level;
+    Eigen::Vector2d view;  ///< mean of the horizontal directions to its points, in level
     RegistrationCloud surfaces;
   };
+  [[nodiscard]] bool look_at_each_other(const Scan& newer, const Scan& older,
+                                        const Pose2& T_older_newer) const;
   [[nodiscard]] Eigen::Matrix3d beside_displacement(const Pose2& T_older_newer) const;
   [[nodiscard]] std::optional<MatchedClouds> match(const Scan& newer, const Scan& older,
                                                    const Pose2& T_older_newer, double rise_m) const;

@@ -48,6 +48,11 @@ std::vector<SurfacePoint> flat(std::vector<SurfacePoint> points) {
   return points;
 }
 
+struct FineMatch {
+  PointToLineResult match;
+  Eigen::Matrix3d neighbours_covariance;  ///< that their places add to its error
+};
+
 /// The matching of two maps.
 class MapMatcher {
  public:
@@ -67,6 +72,7 @@ class MapMatcher {
         older_alone_(SurfelMapParams{}, SurfelMap::Buckets::kOfOneLocalMap) {
     newer_.insert(flat(newer.points), {}, 0.0);
     for (const PlacedWalls& placed : older) {
+      placed_.push_back({placed.T_older_walls, placed.covariance});
       older_.insert(flat(placed.walls->points), placed.T_older_walls, 0.0);
       for (const auto& view : placed.walls->views) {
         older_views_.push_back({view.free_space.raised(placed.z_older_walls_m),
@@ -202,33 +208,47 @@ class MapMatcher {
 
   /// Against the walls of the older map alone, if they suffice: its neighbours help to recognise
   /// the place, but lie where the displacements between them say.
-  [[nodiscard]] PointToLineResult align_finely(const Pose2& start) const {
+  [[nodiscard]] FineMatch align_finely(const Pose2& start) const {
     PointToLineParams fine = params_.refinement;
     fine.scale_start_m = fine.scale_end_m;
     const PointToLineResult match = align(newer_flat_, start, fine);
     const PointToLineResult alone = align_to(older_alone_, newer_flat_, match.T_odom_body, fine);
     const bool suffices = alone.overlap >= params_.observed_share_min && alone.converged &&
                           same(alone.T_odom_body, match.T_odom_body);
-    return suffices ? alone : match;
+    if (suffices) return {alone, Eigen::Matrix3d::Zero()};
+    return {match, neighbours_covariance(match.T_odom_body)};
+  }
+
+  /// What the places of the neighbours, the least certain of which counts, add to the error of a
+  /// match with their walls, in the newer frame.
+  [[nodiscard]] Eigen::Matrix3d neighbours_covariance(const Pose2& T_older_newer) const {
+    Eigen::Matrix3d largest = Eigen::Matrix3d::Zero();
+    for (const auto& [T_older_walls, covariance] : placed_) {
+      const Eigen::Matrix3d Ad = adjoint(between(T_older_newer, T_older_walls));
+      const Eigen::Matrix3d there = Ad * covariance * Ad.transpose();
+      if (there.trace() > largest.trace()) largest = there;
+    }
+    return params_.neighbour_variance_factor * largest;
   }
 
   [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
-    const PointToLineResult match = align_finely(start);
+    const auto [match, neighbours_covariance] = align_finely(start);
     if (match.overlap < params_.observed_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
     const ConstrainedInformation constrained =
         split_degenerate(match.information / correlated, match.spurious / correlated, lever_arm_m_,
                          params_.degeneracy);
     const Eigen::Vector3d floor(params_.floor_m, params_.floor_m, params_.floor_rad);
-    const Eigen::Matrix3d floor_covariance = floor.cwiseAbs2().asDiagonal();
+    const Eigen::Matrix3d error_covariance =
+        neighbours_covariance + floor.cwiseAbs2().asDiagonal().toDenseMatrix();
     LoopClosureAlternative alternative;
     alternative.T_older_newer = slide(match.T_odom_body, constrained.degenerate);
-    if (!in_gate(alternative.T_older_newer, constrained.covariance + floor_covariance)) {
+    if (!in_gate(alternative.T_older_newer, constrained.covariance + error_covariance)) {
       return std::nullopt;
     }
     alternative.information = with_added_covariance(
         constrained.information,
-        floor_covariance + far_view_covariance(alternative.T_older_newer, match.rms_residual_m));
+        error_covariance + far_view_covariance(alternative.T_older_newer, match.rms_residual_m));
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
   }
 
@@ -303,8 +323,14 @@ class MapMatcher {
     return distinct_poses;
   }
 
+  struct Placed {
+    Pose2 T_older_walls;
+    Eigen::Matrix3d covariance;
+  };
+
   const MapMatchingParams& params_;
   const RelativePose& predicted_;
+  std::vector<Placed> placed_;
   std::vector<SurfacePoint> newer_points_;
   std::vector<SurfacePoint> few_points_;
   std::vector<SurfacePoint> newer_flat_;  ///< without heights, as is `few_flat_`

@@ -135,6 +135,20 @@ TEST(CloudMatching, MatchesNeitherEarlierSessionsNorScansFarAway) {
   EXPECT_TRUE(TwoScans(rough_tunnel, params).matches().empty());
 }
 
+/// They see other sides of the same bumps.
+TEST(CloudMatching, DoesNotMatchScansThatLookAtEachOther) {
+  for (const double turn_rad : {0.0, 1.2, 2.4, M_PI}) {
+    CloudMatching matching{CloudMatchingParams{}};
+    const Pose2 T_older_newer{kApartM, 0.0, turn_rad};
+    matching.add(sweep(rough_tunnel, Eigen::Isometry3d::Identity(), 1), 0, {1, 0, 0.0, 0.0}, {});
+    matching.add(sweep(rough_tunnel, pose(kApartM, 0.0, 0.0, 0.0, 0.0, turn_rad), 2), 0,
+                 {2, 1, 0.0, 0.0}, {});
+    const auto matches = matching.matches(
+        1, [&](int map) { return PlacedLocalMap{map == 0 ? Pose2{} : T_older_newer, 0.0}; });
+    EXPECT_EQ(matches.empty(), turn_rad > 2.0) << turn_rad;
+  }
+}
+
 TEST(CloudMatching, StoresALimitedNumberOfScans) {
   CloudMatchingParams params;
   params.stored_max = 1;

@@ -65,6 +65,32 @@ TEST(MapMatching, DependsOnTheOlderMapAndNotOnThePlacesOfItsNeighbours) {
   expect_near(found.front().T_older_newer, truth, 0.01, 0.003);  // the floor of the model, twice
 }
 
+/// The newer map lies on the walls of the neighbour only: the match has the error of its place.
+TEST(MapMatching, IsAsUnsureAsThePlaceOfTheNeighbourOnWhichItLies) {
+  const test::WallWorld mine = test::sample_mine(3);
+  const Pose2 T_world_older{8.0, 0.0, 0.0};
+  const Pose2 T_older_next{20.0, 0.0, 0.0};
+  const Pose2 truth{21.0, 0.2, 0.1};
+  const LocalWalls older = walls_of(mine, T_world_older);
+  const LocalWalls next = walls_of(mine, T_world_older * T_older_next, 5.0, 3);
+  const LocalWalls newer = walls_of(mine, T_world_older * truth, 5.0, 2);
+  const Eigen::Vector3d sd(0.1, 0.02, 0.003);
+  const auto covariance = [&](const Eigen::Matrix3d& of_next) -> Eigen::Matrix3d {
+    const auto found = match_maps(
+        newer, {{test::borrowed(older), {}}, {test::borrowed(next), T_older_next, 0.0, of_next}}, 7,
+        around(truth, 0.3, 0.05), {});
+    EXPECT_FALSE(found.empty());
+    if (found.empty()) return Eigen::Matrix3d::Zero();
+    return found.front().information.inverse();
+  };
+  const Eigen::Matrix3d of_next = sd.cwiseAbs2().asDiagonal();
+  const Eigen::Matrix3d added = covariance(of_next) - covariance(Eigen::Matrix3d::Zero());
+  const Eigen::Matrix3d Ad = adjoint(between(truth, T_older_next));
+  const Eigen::Matrix3d expected =
+      MapMatchingParams{}.neighbour_variance_factor * Ad * of_next * Ad.transpose();
+  EXPECT_TRUE(added.isApprox(expected, 0.02)) << added << "\n\n" << expected;
+}
+
 TEST(MapMatching, AddsACovarianceAndLeavesUnknownDirectionsUnknown) {
   const Eigen::Matrix3d information = Eigen::Vector3d(0.0, 400.0, 1e4).asDiagonal();
   const Eigen::Matrix3d added = Eigen::Vector3d(0.04, 0.0075, 3e-4).asDiagonal();

@@ -4,7 +4,8 @@
 # What every target of this project shares, and the functions that declare one:
 #   adit_library(NAME SOURCES ... DEPS ...)      static library adit_NAME, alias adit::NAME
 #   adit_executable(NAME SOURCES ... DEPS ...)   program NAME in <build>/bin
-#   adit_test(NAME SOURCES ... DEPS ...)         GoogleTest program, each case known to CTest
+#   adit_test(NAME [QUICK] SOURCES ... DEPS ...) GoogleTest program, each case known to CTest; QUICK: compiled without
+#                                                optimization, for tests whose time goes into the libraries
 # All presets but dev compile the SOURCES of a target as one (CMAKE_UNITY_BUILD), which parses shared headers once.
 # Sources that cannot be compiled together with the others, mostly because their unnamed namespaces share a name
 # (CONTRIBUTING.md), are listed under APART.
@@ -59,12 +60,17 @@ function(adit_executable name)
 endfunction()
 
 function(adit_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "" "SOURCES;APART;DEPS" ${ARGN})
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  if(ARG_QUICK)
+    set(kind quick)
+  else()
+    set(kind test)
+  endif()
   add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
-  target_link_libraries(${name} PRIVATE adit_settings adit_test_settings ${ARG_DEPS}
+  target_link_libraries(${name} PRIVATE adit_settings adit_${kind}_settings ${ARG_DEPS}
     GTest::gmock GTest::gtest_main)
-  target_precompile_headers(${name} REUSE_FROM adit_test_precompiled)
+  target_precompile_headers(${name} REUSE_FROM adit_${kind}_precompiled)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -2,29 +2,39 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# check.sh
-# The checks that test.sh leaves out: builds the benchmarks and accuracy tables (warnings are errors),
-# checks the layout of the sources and runs clang-tidy (lint.sh), runs a million mutated inputs through all parsers
-# under the address and undefined-behaviour sanitizers, and sends mutated messages to all stages of missions
-# (fuzz_stages, without sanitizers: all stages with them take longer to build than all else here). Ends with 0 only if
-# all pass.
+# check.sh [--built]
+# The checks that test.sh leaves out: builds the benchmarks, and the accuracy tables without optimization, to see that they
+# build (warnings are errors), checks the layout of the sources and runs clang-tidy (lint.sh), runs a million mutated
+# inputs through all parsers under the address and undefined-behaviour sanitizers, and sends mutated messages to all
+# stages of missions (fuzz_stages, without sanitizers: all stages with them take longer to build than all else here). Ends
+# with 0 only if all pass. --built: build/release has all of the preset check already.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 kFuzzCases=1000000
 kFuzzMessages=100000
 
-"$root/deploy/install_dependencies.sh" build test check
 cd "$root"
-cmake --preset check >/dev/null
-cmake --build --preset check
+if [[ ${1:-} != --built ]]; then
+  deploy/install_dependencies.sh build test check
+  cmake --preset check >/dev/null
+  cmake --build --preset check
+fi
 
-failed=()
-deploy/lint.sh build/release || failed+=(lint)
-
+# What has no limits of time yields to the tests that may run meanwhile. The fuzzers use one processor each, so that lint
+# runs beside them.
 cmake --preset asan >/dev/null
-cmake --build --preset asan --target fuzz_inputs
-build/asan/tests/fuzz_inputs --cases "$kFuzzCases" --seed 1 || failed+=(fuzzing)
-build/release/tests/fuzz_stages --cases "$kFuzzMessages" --seed 1 || failed+=("fuzzing of the stages")
+nice -n 19 cmake --build --preset asan --target fuzz_inputs
+outputs=$(mktemp -d)
+trap 'rm -r "$outputs"' EXIT
+nice -n 5 build/asan/tests/fuzz_inputs --cases "$kFuzzCases" --seed 1 >"$outputs/inputs" 2>&1 &
+inputs=$!
+nice -n 5 build/release/tests/fuzz_stages --cases "$kFuzzMessages" --seed 1 >"$outputs/stages" 2>&1 &
+stages=$!
+failed=()
+nice -n 19 deploy/lint.sh build/release || failed+=(lint)
+wait $inputs || failed+=(fuzzing)
+wait $stages || failed+=("fuzzing of the stages")
+cat "$outputs/inputs" "$outputs/stages"
 
 if ((${#failed[@]})); then
   echo "FAILED: ${failed[*]}" >&2

@@ -9,10 +9,10 @@ root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")")
 programs=$root/build/release/tests
 cd "$root"
 
-# build TARGET...: builds with optimization (preset check) into $programs.
+# build TARGET...: builds with optimization (preset bench) into $programs.
 build() {
-  cmake --preset check >/dev/null
-  cmake --build --preset check --target "$@" >&2
+  cmake --preset bench >/dev/null
+  cmake --build --preset bench --target "$@" >&2
 }
 
 # conditions RUNS: date, commit, computer and load of a measurement; RUNS as in "medians of 3 runs".

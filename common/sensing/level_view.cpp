@@ -19,7 +19,8 @@ constexpr double kSpacingMaxRad = 4.0 * std::numbers::pi / 180.0;  // between ri
 constexpr double kColumnGapBeams = 2.5;                            // between neighbouring columns
 constexpr double kSurfaceSlope = 1.5;    // horizontal distance over height: a wall
 constexpr double kColumnsDiffer = 0.03;  // of the range: an edge between two columns
-constexpr double kNearLevelM = 0.1;
+constexpr double kNearLevelM = 0.05;     // of the end of a ring that counts alone
+constexpr double kObstacleReachM = 5.0;  // beyond, a surface of one ring alone is not needed
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// From 0 to a turn.
@@ -118,13 +119,12 @@ double LevelView::range_m(const LidarRevolution& revolution, const Beam& beam) c
     if (apart_m <= kSurfaceSlope * (drop_m + rise_m))
       return on_line_m(r1, below_rad, r2, above_rad);
   }
-  if (std::isnan(r1) || std::isnan(r2)) {
-    if (drop_m <= kNearLevelM) return r1;
-    return rise_m <= kNearLevelM ? r2 : kUnknown;
-  }
-  const double nearer_off_m = r1 < r2 ? drop_m : rise_m;
-  if (nearer_off_m <= kNearLevelM) return std::min(r1, r2);
-  return below_rad < above_rad ? r1 : r2;
+  if (std::isinf(r1) && std::isinf(r2)) return r1;
+  const bool below = drop_m <= kNearLevelM && r1 <= kObstacleReachM;  // false for NaN
+  const bool above = rise_m <= kNearLevelM && r2 <= kObstacleReachM;
+  if (below && above) return std::min(r1, r2);
+  if (below) return r1;
+  return above ? r2 : kUnknown;
 }
 
 LaserScan LevelView::scan(const LidarRevolution& revolution) {

@@ -15,16 +15,18 @@ namespace adit {
 
 /// The scan of a planar laser that would stand level in the place of a spinning lidar, as stages
 /// receive it on LASER_FRONT. A level beam lies between two rings. Where both hit one wall its
-/// range is that of the straight line through their ends. Where they hit two surfaces it is that of
-/// the nearer one if this is within 0.1 m of the level plane, since it may be an obstacle, and
-/// otherwise that of the ring nearer to level. A ring that is level within 0.1° is used alone.
+/// range is that of the straight line through their ends. Where they hit two surfaces, or ground or
+/// roof that rises less than a wall, one of them counts if it is within 0.05 m of the level plane
+/// and 5 m of the lidar, since it may be an obstacle; the nearer one, if both are. What is farther
+/// is not known: the ring that is nearer to level would show a line on ground or roof that moves
+/// with the robot. A ring that is level within 0.1° is used alone.
 /// Level is level with the body, as for a planar laser: its attitude is not corrected.
 class LevelView {
  public:
   explicit LevelView(const Lasers& lasers);
 
-  /// A beam that no ring is near is NaN; one without return is beyond `range_max_m`. The scan has
-  /// the time of the first column.
+  /// A beam that no ring is near, or whose range is not known, is NaN; one of which both rings have
+  /// no return is beyond `range_max_m`. The scan has the time of the first column.
   [[nodiscard]] LaserScan scan(const LidarRevolution& revolution);
 
   /// Which readings of a revolution with these rings and columns count for the scan, column by

@@ -99,6 +99,23 @@ TEST(LevelView, LeavesOutGroundFarBelowIt) {
   for (const float range_m : scan.ranges_m) ASSERT_TRUE(std::isnan(range_m));
 }
 
+TEST(LevelView, ShowsTheFaceOfAHeapOnlyNearIt) {
+  for (const double pitch : {0.0, 0.21, 13.0 * kDeg}) {
+    const Lasers lasers = pitched(pitch);
+    LevelView view(lasers);
+    // Of 45°, level with the lidar at this distance ahead; on all sides walls at 20 m.
+    const auto heap_at = [](double distance_m) {
+      return [=](const Eigen::Vector3d& d) {
+        const double closing = d.x() - d.z();
+        const double heap_m = closing > 1e-9 ? distance_m / closing : 1e9;
+        return std::min(heap_m, 20.0 / std::hypot(d.x(), d.y()));
+      };
+    };
+    EXPECT_TRUE(std::isnan(view.scan(revolution_of(lasers, heap_at(5.0))).ranges_m[450])) << pitch;
+    EXPECT_NEAR(view.scan(revolution_of(lasers, heap_at(2.0))).ranges_m[450], 2.0, 0.02) << pitch;
+  }
+}
+
 /// Range to ground that rises, or to a roof that falls, from 4 m ahead on, and to the walls of a
 /// tunnel 3 m wide.
 double slope_in_tunnel(const Eigen::Vector3d& d, double grade) {

@@ -72,6 +72,18 @@ void sort_by_likelihood(std::vector<LoopClosure>& loop_closures) {
       });
 }
 
+/// The lines that begin near the first one. Those of a spinning lidar on the way there are placed
+/// by odometry, of which a match of 3D scans must be independent.
+Cloud from_one_place(Cloud cloud) {
+  constexpr float kPlaceM = 0.5F;  // wider than the lever arm of a tilting laser
+  if (cloud.lines.empty()) return cloud;
+  const Eigen::Vector3f place = cloud.lines.front().origin;
+  std::erase_if(cloud.lines, [&](const CloudLine& line) {
+    return !((line.origin - place).norm() <= kPlaceM);  // invalid ones too
+  });
+  return cloud;
+}
+
 }  // namespace
 
 Mapping::Mapping(const MappingParams& params)
@@ -149,7 +161,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
 
 void Mapping::add(const Cloud& cloud) {
   if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
-  new_cloud_ = cloud;
+  new_cloud_ = from_one_place(cloud);
   builder_.begin_at_next_scan();
 }
 

@@ -72,16 +72,11 @@ void sort_by_likelihood(std::vector<LoopClosure>& loop_closures) {
       });
 }
 
-/// The lines that begin near the first one. Those of a spinning lidar on the way there are placed
-/// by odometry, of which a match of 3D scans must be independent.
-Cloud from_one_place(Cloud cloud) {
-  constexpr float kPlaceM = 0.5F;  // wider than the lever arm of a tilting laser
-  if (cloud.lines.empty()) return cloud;
-  const Eigen::Vector3f place = cloud.lines.front().origin;
-  std::erase_if(cloud.lines, [&](const CloudLine& line) {
-    return !((line.origin - place).norm() <= kPlaceM);  // invalid ones too
-  });
-  return cloud;
+/// Without the lines that odometry has placed, of which a match of 3D scans must be independent.
+Cloud from_one_place(const Cloud& cloud) {
+  Cloud at_place = cloud;
+  std::erase_if(at_place.lines, [&](const CloudLine& line) { return !is_at_place(cloud, line); });
+  return at_place;
 }
 
 }  // namespace

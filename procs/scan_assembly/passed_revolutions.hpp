@@ -34,7 +34,7 @@ struct PassedRevolutionsParams {
 /// Revolutions of a spinning lidar that were made while the robot drove to the place of a 3D scan.
 /// Between the rings of a robot that stands the ground is not seen, and none of it near the body;
 /// from places 0.25 m apart the rings lie close together. They are placed by the poses at their
-/// time, with height and attitude, which an IMU must measure: on the way of 4 m, POSE errs by about
+/// time, with height and attitude, which an IMU must measure: over 4 m, POSE errs by about
 /// 1 cm in height and 5 mrad in roll and pitch. Revolutions during which the attitude changes
 /// fast, as on a stone, are left out.
 class PassedRevolutions {

@@ -54,7 +54,7 @@ struct ScanAssemblyParams {
 /// and mixed pixels are removed. The robot must stand; without new poses it is assumed to stand at
 /// its last pose. With a spinning lidar there is no sweep: the scan is made
 /// of its last revolutions, once gravity has been measured by the readings of the IMU after the
-/// request, and then of those on the way there (PassedRevolutions).
+/// request, and of those made while it drove there (PassedRevolutions).
 ///
 /// Times that are passed beside readings are bus time. Only bus time is used for timeouts, as
 /// sensors may have another clock.
@@ -76,7 +76,7 @@ class ScanAssembly {
   // and poses may arrive in any order.
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
-  /// Without a request a revolution is only one on the way to the next.
+  /// Without a request a revolution may be used for the next one (PassedRevolutions).
   bool add(const LidarRevolution& revolution);
   bool add(const ImuReading& reading);
   bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m,

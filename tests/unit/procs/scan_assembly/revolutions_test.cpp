@@ -182,7 +182,7 @@ TEST(RevolutionsOfASpinningLidar, ShowTheGroundThatWasPassedAndBetweenTheRings) 
   EXPECT_EQ(cloud->lines.front().origin, rings->lines.front().origin);
 }
 
-TEST(RevolutionsOfASpinningLidar, OnTheWayAreLevelledByThePose) {
+TEST(RevolutionsOfASpinningLidar, WhileDrivingAreLevelledByThePose) {
   constexpr double kPitchRad = 0.05;
   SpinningRobot robot(lidar_params(),
                       [&](double seconds) { return at(std::min(1.5 * seconds, 2.7), kPitchRad); });
@@ -203,7 +203,7 @@ TEST(RevolutionsOfASpinningLidar, BelongToOneScanEach) {
   EXPECT_EQ(second->lines.size(), 2U * 16U);
 }
 
-TEST(RevolutionsOfASpinningLidar, OnTheWayAreNotUsedWithoutImu) {
+TEST(RevolutionsOfASpinningLidar, WhileDrivingAreNotUsedWithoutImu) {
   SpinningRobot robot(lidar_params(), driven);
   robot.has_imu = false;
   const auto cloud = robot.scan();

@@ -20,7 +20,6 @@ constexpr double kColumnGapBeams = 2.5;                            // between ne
 constexpr double kSurfaceSlope = 1.5;    // horizontal distance over height: a wall
 constexpr double kColumnsDiffer = 0.03;  // of the range: an edge between two columns
 constexpr double kNearLevelM = 0.05;     // of the end of a ring that counts alone
-constexpr double kObstacleReachM = 3.0;  // beyond, a surface of one ring alone is not needed
 constexpr double kLeanMax = 0.5;         // of a wall: horizontal distance over height
 constexpr double kBesideBeams = 4.0;     // between two points of a ring that show a normal
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

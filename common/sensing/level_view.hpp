@@ -26,6 +26,9 @@ namespace adit {
 /// with the body, as for a planar laser: its attitude is not corrected.
 class LevelView {
  public:
+  /// Up to which surfaces count that are no walls; a robot must stop within it.
+  static constexpr double kObstacleReachM = 3.0;
+
   explicit LevelView(const Lasers& lasers);
 
   /// A beam that no ring is near, or whose range is not known, is NaN; one of which both rings have

@@ -19,7 +19,9 @@ constexpr double kSpacingMaxRad = 4.0 * std::numbers::pi / 180.0;  // between ri
 constexpr double kColumnGapBeams = 2.5;                            // between neighbouring columns
 constexpr double kSurfaceSlope = 1.5;    // horizontal distance over height: a wall
 constexpr double kColumnsDiffer = 0.03;  // of the range: an edge between two columns
-constexpr double kNearLevelM = 0.1;
+constexpr double kNearLevelM = 0.05;     // of the end of a ring that counts alone
+constexpr double kLeanMax = 0.5;         // of a wall: horizontal distance over height
+constexpr double kBesideBeams = 4.0;     // between two points of a ring that show a normal
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// From 0 to a turn.
@@ -36,10 +38,12 @@ double on_line_m(double r1, double below_rad, double r2, double above_rad) {
 LevelView::LevelView(const Lasers& lasers)
     : step_rad_(kTurn / lasers.lidar.level_beams), range_max_m_(lasers.front.range_max_m) {
   const Eigen::AngleAxisd to_lidar(-lasers.lidar.pitch_rad, Eigen::Vector3d::UnitY());
+  up_lidar_ = to_lidar * Eigen::Vector3d::UnitZ();
   for (int i = 0; i < lasers.lidar.level_beams; ++i) {
     const double bearing = (i - 0.5 * (lasers.lidar.level_beams - 1)) * step_rad_;
     const Eigen::Vector3d d = to_lidar * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.0);
-    beams_.push_back({std::atan2(d.y(), d.x()), std::asin(std::clamp(d.z(), -1.0, 1.0)), {}, 0});
+    beams_.push_back(
+        {std::atan2(d.y(), d.x()), std::asin(std::clamp(d.z(), -1.0, 1.0)), {}, 0, 0, 0});
   }
 }
 
@@ -51,14 +55,19 @@ void LevelView::find_rings(const std::vector<LidarRing>& rings) {
     for (std::size_t i = 0; i < rings.size(); ++i) {
       const double off = rings[i].elevation_rad - beam.elevation_rad;
       if (std::abs(off) <= kLevelRad) {
-        beam.below = beam.above = i;
+        beam.below = beam.above = beam.below_of_plane = beam.above_of_plane = i;
+        if (i + 1 < rings.size()) {
+          ++beam.above_of_plane;
+        } else if (i > 0) {
+          --beam.below_of_plane;
+        }
         break;
       }
       if (off > 0.0) {
         const bool between = i > 0 && rings[i].elevation_rad - rings[i - 1].elevation_rad <=
                                           static_cast<float>(kSpacingMaxRad);
-        if (between) beam.below = i - 1;
-        beam.above = i;
+        if (between) beam.below = beam.below_of_plane = i - 1;
+        beam.above = beam.above_of_plane = i;
         break;
       }
     }
@@ -104,27 +113,56 @@ double LevelView::ring_range_m(const LidarRevolution& revolution, std::size_t ri
   return place->share < 0.5 ? before : after;
 }
 
+/// Of the surface through the ends of two rings and of one of them beside the beam.
+bool LevelView::is_steep(const LidarRevolution& revolution, const Beam& beam, double r1,
+                         double r2) const {
+  const auto end = [&](std::size_t ring, double azimuth_rad, double range_m) -> Eigen::Vector3d {
+    const double elevation = revolution.rings[ring].elevation_rad;
+    return range_m * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth_rad),
+                                     std::cos(elevation) * std::sin(azimuth_rad),
+                                     std::sin(elevation));
+  };
+  const Eigen::Vector3d below = end(beam.below_of_plane, beam.azimuth_rad, r1);
+  const Eigen::Vector3d above = end(beam.above_of_plane, beam.azimuth_rad, r2);
+  for (const double side : {1.0, -1.0}) {
+    const double azimuth = beam.azimuth_rad + side * kBesideBeams * step_rad_;
+    const double r3 = ring_range_m(revolution, beam.below_of_plane, azimuth);
+    if (!std::isfinite(r3)) continue;
+    const Eigen::Vector3d across =
+        (above - below).cross(end(beam.below_of_plane, azimuth, r3) - below);
+    const Eigen::Vector3d normal = up_lidar_ * up_lidar_.dot(across);
+    if (normal.norm() <= kLeanMax * (across - normal).norm()) return true;
+  }
+  return false;
+}
+
 double LevelView::range_m(const LidarRevolution& revolution, const Beam& beam) const {
   if (!beam.below) return kUnknown;
-  const double r1 = ring_range_m(revolution, *beam.below, beam.azimuth_rad);
-  if (*beam.below == beam.above) return r1;
-  const double r2 = ring_range_m(revolution, beam.above, beam.azimuth_rad);
+  const double r1 = ring_range_m(revolution, beam.below_of_plane, beam.azimuth_rad);
+  const double r2 = ring_range_m(revolution, beam.above_of_plane, beam.azimuth_rad);
+  const bool is_plane = std::isfinite(r1) && std::isfinite(r2);
+  if (*beam.below == beam.above) {  // one of them is level
+    const double range_m = *beam.below == beam.below_of_plane ? r1 : r2;
+    if (!(range_m > kObstacleReachM) || std::isinf(range_m)) return range_m;
+    return is_plane && is_steep(revolution, beam, r1, r2) ? range_m : kUnknown;
+  }
   const double below_rad = beam.elevation_rad - revolution.rings[*beam.below].elevation_rad;
   const double above_rad = revolution.rings[beam.above].elevation_rad - beam.elevation_rad;
   const double drop_m = r1 * std::sin(below_rad);  // infinite or NaN as the range
   const double rise_m = r2 * std::sin(above_rad);
-  if (std::isfinite(r1) && std::isfinite(r2)) {
+  if (is_plane) {
     const double apart_m = std::abs(r2 * std::cos(above_rad) - r1 * std::cos(below_rad));
-    if (apart_m <= kSurfaceSlope * (drop_m + rise_m))
-      return on_line_m(r1, below_rad, r2, above_rad);
+    const double range_m = on_line_m(r1, below_rad, r2, above_rad);
+    if (apart_m <= kSurfaceSlope * (drop_m + rise_m) &&
+        (range_m <= kObstacleReachM || is_steep(revolution, beam, r1, r2)))
+      return range_m;
   }
-  if (std::isnan(r1) || std::isnan(r2)) {
-    if (drop_m <= kNearLevelM) return r1;
-    return rise_m <= kNearLevelM ? r2 : kUnknown;
-  }
-  const double nearer_off_m = r1 < r2 ? drop_m : rise_m;
-  if (nearer_off_m <= kNearLevelM) return std::min(r1, r2);
-  return below_rad < above_rad ? r1 : r2;
+  if (std::isinf(r1) && std::isinf(r2)) return r1;
+  const bool below = drop_m <= kNearLevelM && r1 <= kObstacleReachM;  // false for NaN
+  const bool above = rise_m <= kNearLevelM && r2 <= kObstacleReachM;
+  if (below && above) return std::min(r1, r2);
+  if (below) return r1;
+  return above ? r2 : kUnknown;
 }
 
 LaserScan LevelView::scan(const LidarRevolution& revolution) {
@@ -152,8 +190,10 @@ std::vector<bool> LevelView::readings_used(const LidarRevolution& revolution) {
   };
   for (const Beam& beam : beams_) {
     if (!beam.below) continue;
-    use(*beam.below, beam.azimuth_rad);
-    use(beam.above, beam.azimuth_rad);
+    use(beam.below_of_plane, beam.azimuth_rad);
+    use(beam.above_of_plane, beam.azimuth_rad);
+    for (const double side : {1.0, -1.0})
+      use(beam.below_of_plane, beam.azimuth_rad + side * kBesideBeams * step_rad_);
   }
   return used;
 }

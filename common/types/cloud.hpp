@@ -24,7 +24,7 @@ struct CloudLine {
 
 /// A 3D scan: the lines of one tilt sweep in the frame "level". Its origin is that of the body at
 /// the end of the sweep, its x axis the horizontal projection of the body's, its z axis opposite to
-/// gravity.
+/// gravity. Those of a spinning lidar have one for each ring and revolution, those at rest first.
 struct Cloud {
   std::int64_t utime = 0;  ///< end of the sweep [µs since the epoch]
   std::int32_t id = 0;     ///< id of the request
@@ -39,6 +39,13 @@ struct Cloud {
     return n;
   }
 };
+
+/// Whether a line begins where the first one does, within the lever arm of a tilting laser. Lines
+/// that a spinning lidar saw while the robot drove there do not; odometry has placed them.
+inline bool is_at_place(const Cloud& cloud, const CloudLine& line) {
+  constexpr float kPlaceM = 0.5F;
+  return (line.origin - cloud.lines.front().origin).norm() <= kPlaceM;
+}
 
 /// Requests the newest 3D scan that scan assembly still holds and the stage has not received.
 struct CloudRequest {

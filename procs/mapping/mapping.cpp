@@ -72,6 +72,13 @@ void sort_by_likelihood(std::vector<LoopClosure>& loop_closures) {
       });
 }
 
+/// Without the lines that odometry has placed, of which a match of 3D scans must be independent.
+Cloud from_one_place(const Cloud& cloud) {
+  Cloud at_place = cloud;
+  std::erase_if(at_place.lines, [&](const CloudLine& line) { return !is_at_place(cloud, line); });
+  return at_place;
+}
+
 }  // namespace
 
 Mapping::Mapping(const MappingParams& params)
@@ -149,7 +156,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
 
 void Mapping::add(const Cloud& cloud) {
   if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
-  new_cloud_ = cloud;
+  new_cloud_ = from_one_place(cloud);
   builder_.begin_at_next_scan();
 }
 

@@ -17,6 +17,7 @@ namespace {
 using Phase = SweepMotion::Phase;
 
 constexpr double kCloudInTransitS = 2.0;
+constexpr double kImuTimeoutS = 0.5;
 
 const char* name_of(LaserId laser) {
   return laser == LaserId::kFront ? "the front laser" : "the rear laser";
@@ -25,7 +26,10 @@ const char* name_of(LaserId laser) {
 }  // namespace
 
 ScanAssembly::ScanAssembly(const ScanAssemblyParams& params)
-    : params_(params), sweep_(params.sweep), gravity_(params.gravity) {}
+    : params_(params),
+      sweep_(params.sweep),
+      gravity_(params.gravity),
+      passed_(params.passed_revolutions, params.lasers, params.mixed_pixels) {}
 
 void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   if (is_repeat(request, utime)) return;
@@ -99,7 +103,12 @@ bool ScanAssembly::add(const ImuReading& reading) {
   return gravity_.add(reading);
 }
 
+bool ScanAssembly::has_imu() const {
+  return imu_utime_ != 0 && seconds(utime_ - imu_utime_) < kImuTimeoutS;
+}
+
 bool ScanAssembly::add(const LidarRevolution& revolution) {
+  if (!collects_ && has_imu()) passed_.add(revolution);
   if (!collects_ || revolution.columns.empty() || revolution.rings.empty()) return false;
   scan_utime_ = utime_;
   if (!revolutions_.empty() && revolution.utime <= revolutions_.back().utime) return false;
@@ -114,6 +123,7 @@ bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body, double z_od
                        const Attitude& attitude) {
   if (!T_odom_body.vector().allFinite() || !std::isfinite(z_odom_m)) return false;
   last_pose_ = {utime, T_odom_body, z_odom_m, attitude};
+  if (params_.lasers.lidar.present) passed_.add({utime, T_odom_body, z_odom_m, attitude});
   if (!is_busy() || !T_odom_body_.add(utime, T_odom_body)) return false;
   return z_odom_m_.add(utime, z_odom_m);
 }
@@ -152,7 +162,6 @@ ScanAssembly::Step ScanAssembly::advance_collection(std::int64_t utime) {
 }
 
 bool ScanAssembly::waits_for_gravity(std::int64_t utime) const {
-  constexpr double kImuTimeoutS = 0.5;
   const double since_reading_s = seconds(utime - std::max(imu_utime_, begin_utime_));
   return !gravity_.has_all_readings() && since_reading_s < kImuTimeoutS;
 }
@@ -222,7 +231,7 @@ Cloud ScanAssembly::empty_cloud(std::int64_t utime, bool complete) const {
   return cloud;
 }
 
-std::optional<Cloud> ScanAssembly::assemble_revolutions(bool complete) const {
+std::optional<Cloud> ScanAssembly::assemble_revolutions(bool complete) {
   if (revolutions_.empty()) return std::nullopt;
   const LidarRevolution& last = revolutions_.back();
   const std::int64_t end_utime = last.utime_of(last.columns.size() - 1, last.rings.size() - 1);
@@ -236,6 +245,10 @@ std::optional<Cloud> ScanAssembly::assemble_revolutions(bool complete) const {
       cloud.lines.push_back(std::move(line));
     }
   }
+  for (CloudLine& line : passed_.lines(cloud.T_odom_level, cloud.z_odom_m)) {
+    cloud.lines.push_back(std::move(line));
+  }
+  passed_.clear();
   return cloud;
 }
 

@@ -17,6 +17,7 @@
 #include "procs/scan_assembly/beam_placement.hpp"
 #include "procs/scan_assembly/gravity.hpp"
 #include "procs/scan_assembly/mixed_pixels.hpp"
+#include "procs/scan_assembly/passed_revolutions.hpp"
 #include "procs/scan_assembly/sweep_motion.hpp"
 
 namespace adit {
@@ -26,7 +27,8 @@ struct ScanAssemblyParams {
   SweepMotionParams sweep;
   GravityParams gravity;
   MixedPixelParams mixed_pixels;
-  int revolutions = 2;            ///< of a spinning lidar, for one 3D scan
+  int revolutions = 2;  ///< of a spinning lidar that stands, for one 3D scan
+  PassedRevolutionsParams passed_revolutions;
   double timeout_s = 4.0;         ///< beyond the duration of the sweep motion
   double sensor_timeout_s = 0.5;  ///< of the laser and its tilt; aborts a sweep
   double moved_max_m = 0.05;      ///< motion of the body since the request; aborts a sweep
@@ -39,6 +41,7 @@ struct ScanAssemblyParams {
     v("gravity", gravity);
     v("mixed_pixels", mixed_pixels);
     v("revolutions", revolutions, within(1, 50));
+    v("passed_revolutions", passed_revolutions);
     v("timeout_s", timeout_s, above(0.0));
     v("sensor_timeout_s", sensor_timeout_s, above(0.0));
     v("moved_max_m", moved_max_m, above(0.0));
@@ -51,7 +54,7 @@ struct ScanAssemblyParams {
 /// and mixed pixels are removed. The robot must stand; without new poses it is assumed to stand at
 /// its last pose. With a spinning lidar there is no sweep: the scan is made
 /// of its last revolutions, once gravity has been measured by the readings of the IMU after the
-/// request.
+/// request, and of those made while it drove there (PassedRevolutions).
 ///
 /// Times that are passed beside readings are bus time. Only bus time is used for timeouts, as
 /// sensors may have another clock.
@@ -73,6 +76,7 @@ class ScanAssembly {
   // and poses may arrive in any order.
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
+  /// Without a request a revolution may be used for the next one (PassedRevolutions).
   bool add(const LidarRevolution& revolution);
   bool add(const ImuReading& reading);
   bool add(std::int64_t utime, const Pose2& T_odom_body, double z_odom_m,
@@ -101,11 +105,12 @@ class ScanAssembly {
   [[nodiscard]] std::string collection_abort_reason(std::int64_t utime) const;
   [[nodiscard]] bool has_moved() const;
   [[nodiscard]] bool waits_for_gravity(std::int64_t utime) const;
+  [[nodiscard]] bool has_imu() const;
   std::optional<Cloud> abort_sweep(const std::string& reason);
   void start_lines();
   [[nodiscard]] Cloud empty_cloud(std::int64_t utime, bool complete) const;
   [[nodiscard]] std::optional<Cloud> assemble(bool complete) const;
-  [[nodiscard]] std::optional<Cloud> assemble_revolutions(bool complete) const;
+  [[nodiscard]] std::optional<Cloud> assemble_revolutions(bool complete);
 
   ScanAssemblyParams params_;
   SweepMotion sweep_;
@@ -117,6 +122,7 @@ class ScanAssembly {
   std::vector<LaserScan> scans_;
   bool collects_ = false;  ///< revolutions of a spinning lidar
   std::vector<LidarRevolution> revolutions_;
+  PassedRevolutions passed_;
   InterpolationBuffer<double> tilt_rad_;
   InterpolationBuffer<Pose2> T_odom_body_;
   InterpolationBuffer<double> z_odom_m_;  ///< of the body

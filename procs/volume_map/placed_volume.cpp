@@ -27,7 +27,9 @@ StoredVolume stored(const PlacedVolume& placed) {
 
 LevelPose viewpoint_of(const Cloud& cloud) {
   Eigen::Vector2f ahead(0.0F, 0.0F);
-  for (const CloudLine& line : cloud.lines) ahead += line.origin.head<2>();
+  for (const CloudLine& line : cloud.lines) {
+    if (is_at_place(cloud, line)) ahead += line.origin.head<2>();
+  }
   return {{0.0, 0.0, std::atan2(double{ahead.y()}, double{ahead.x()})}, 0.0};
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/sensing/level_view.hpp"
+#include "tools/check_robot/abilities.hpp"
 #include "tools/check_robot/field_of_view.hpp"
 #include "tools/check_robot/lidar_ground.hpp"
 #include "tools/check_robot/robot_check.hpp"
@@ -68,6 +69,14 @@ void check_lidar(const RobotConfig& robot, CheckResults& results) {
                fmt::format("a revolution takes {:.3f} s at lasers.front.timing.mirror_hz = {}",
                            period_s, lasers.front.timing.mirror_hz),
                "poses and scans are too old for driving and guard; let it turn at 20 Hz");
+  const double nose_m = 0.5 * robot.vehicle.length_m - lasers.front.T_body_laser.x;
+  const double stops_m = nose_m + abilities_of(robot).stopping_m;
+  add_relation(results, stops_m <= LevelView::kObstacleReachM, "lidar",
+               fmt::format("the robot stops within {:.2f} m of the lidar at "
+                           "driving.speed.speed_m_s = {}, and its level view shows obstacles that "
+                           "are no walls up to {} m",
+                           stops_m, robot.driving.speed.speed_m_s, LevelView::kObstacleReachM),
+               "it would see the face of a heap too late: drive slower");
   check_ground(robot, results);
   add_relation(results, !robot.scan_matching.lasers_tilt, "lidar",
                fmt::format("scan_matching.lasers_tilt: {}", robot.scan_matching.lasers_tilt),

@@ -47,6 +47,7 @@ struct Patch {
 std::vector<Patch> patches_of(const LeveledScan& scan) {
   std::vector<Patch> returns;
   for (const CloudLine& line : scan.cloud->lines) {
+    if (!is_at_place(*scan.cloud, line)) continue;
     for (const Eigen::Vector3f& p_level : line.points) {
       if (p_level.head<2>().norm() > static_cast<float>(kRangeMaxM)) continue;
       const Eigen::Vector3d p = scan.T_survey_level * Eigen::Vector3d(p_level.cast<double>());

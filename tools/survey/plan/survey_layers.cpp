@@ -275,9 +275,13 @@ VectorLayer LayerBuilder::path() const {
 /// Middle of the places of the laser in survey.
 Eigen::Vector3d laser_place(const PlacedCloud& scan) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const CloudLine& line : scan.cloud->lines) sum += line.origin.cast<double>();
-  const auto lines = static_cast<double>(std::max<std::size_t>(1, scan.cloud->lines.size()));
-  return scan.in_survey(sum / lines);
+  int lines = 0;
+  for (const CloudLine& line : scan.cloud->lines) {
+    if (!is_at_place(*scan.cloud, line)) continue;
+    sum += line.origin.cast<double>();
+    ++lines;
+  }
+  return scan.in_survey(sum / std::max(1, lines));
 }
 
 VectorLayer LayerBuilder::scans() const {

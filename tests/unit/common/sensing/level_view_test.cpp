@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -95,8 +96,64 @@ TEST(LevelView, LeavesOutGroundFarBelowIt) {
   };
   LevelView view(lasers);
   const LaserScan scan = view.scan(revolution_of(lasers, ground));
-  for (const float range_m : scan.ranges_m) ASSERT_GT(range_m, 39.0F);
+  for (const float range_m : scan.ranges_m) ASSERT_TRUE(std::isnan(range_m));
 }
+
+TEST(LevelView, ShowsTheFaceOfAHeapOnlyNearIt) {
+  for (const double pitch : {0.0, 0.21, 13.0 * kDeg}) {
+    const Lasers lasers = pitched(pitch);
+    LevelView view(lasers);
+    // Of 45°, level with the lidar at this distance ahead; on all sides walls at 20 m.
+    const auto heap_at = [](double distance_m) {
+      return [=](const Eigen::Vector3d& d) {
+        const double closing = d.x() - d.z();
+        const double heap_m = closing > 1e-9 ? distance_m / closing : 1e9;
+        return std::min(heap_m, 20.0 / std::hypot(d.x(), d.y()));
+      };
+    };
+    EXPECT_TRUE(std::isnan(view.scan(revolution_of(lasers, heap_at(5.0))).ranges_m[450])) << pitch;
+    EXPECT_NEAR(view.scan(revolution_of(lasers, heap_at(2.0))).ranges_m[450], 2.0, 0.02) << pitch;
+  }
+}
+
+/// Range to ground that rises, or to a roof that falls, from 4 m ahead on, and to the walls of a
+/// tunnel 3 m wide.
+double slope_in_tunnel(const Eigen::Vector3d& d, double grade) {
+  // Up to the plane z = grade (x - 4) - 0.7, or its mirror image above.
+  const double height_m = 0.7 + 4.0 * std::abs(grade);
+  const double closing = grade > 0.0 ? grade * d.x() - d.z() : -grade * d.x() + d.z();
+  const double slope_m = closing > 1e-9 ? height_m / closing : 1e9;
+  return std::min(slope_m, 1.5 / std::max(1e-9, std::abs(d.y())));
+}
+
+class LevelViewOfSlope : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(LevelViewOfSlope, ShowsNoLineThatMovesWithTheRobot) {
+  const auto [pitch, grade] = GetParam();
+  const Lasers lasers = pitched(pitch);
+  LevelView view(lasers);
+  const auto range = [grade = grade](const Eigen::Vector3d& d) {
+    return slope_in_tunnel(d, grade);
+  };
+  const LaserScan scan = view.scan(revolution_of(lasers, range));
+  const double slope_at_m = 4.0 + 0.7 / std::abs(grade);  // level ahead
+  int walls = 0;
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    if (!(scan.ranges_m[i] < 40.0F)) continue;  // NaN too
+    const double bearing = scan.angle_min_rad + static_cast<double>(i) * scan.angle_step_rad;
+    const double x_m = scan.ranges_m[i] * std::cos(bearing);
+    const double y_m = scan.ranges_m[i] * std::sin(bearing);
+    const double off_m = std::min(std::abs(std::abs(y_m) - 1.5), std::abs(x_m - slope_at_m));
+    // A ring that is level within 0.1° meets a slope of 1 : 10 at 11 m 0.2 m too near or too far.
+    ASSERT_LT(off_m, 0.25) << bearing << " rad, " << scan.ranges_m[i] << " m";
+    ++walls;
+  }
+  EXPECT_GT(walls, 600);
+}
+
+INSTANTIATE_TEST_SUITE_P(PitchAndGrade, LevelViewOfSlope,
+                         testing::Combine(testing::Values(0.0, 0.1, 0.21),
+                                          testing::Values(0.1, 0.2, 0.5, -0.2, -0.5)));
 
 TEST(LevelView, DistinguishesNoReturnFromNoReading) {
   const Lasers lasers = pitched(0.0);

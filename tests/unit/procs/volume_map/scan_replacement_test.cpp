@@ -78,6 +78,18 @@ TEST_F(ScanReplacement, KeepsTheScanOfTheOtherLaserFromTheSamePlace) {
   EXPECT_EQ(stored_scans(), (std::vector{4, 5, 6}));
 }
 
+TEST_F(ScanReplacement, IgnoresWhereASpinningLidarCameFrom) {
+  scan_from(0.0);
+  scan_from(12.0);
+  Cloud scan = scan_of_rock(Pose2{}, ++scans_, 1.0F);
+  for (const float behind_m : {2.0F, 3.0F, 4.0F}) {
+    scan.lines.push_back(scan.lines.front());
+    scan.lines.back().origin.x() -= behind_m;
+  }
+  map_.add(scan);
+  EXPECT_EQ(stored_scans(), (std::vector{3, 2}));
+}
+
 TEST_F(ScanReplacement, DiscardsAllOlderScansNearTheNewest) {
   scan_from(-1.5);
   scan_from(12.0);

@@ -20,18 +20,18 @@ if [[ ${1:-} != --built ]]; then
   cmake --build --preset check
 fi
 
-# What has no limits of time yields to the tests that may run meanwhile. The fuzzers use one processor each, so that lint
-# runs beside them.
+# What has no limits of time yields to the tests that may run meanwhile. The fuzzers, whose cases have one, come last, with a
+# processor each.
 cmake --preset asan >/dev/null
 nice -n 19 cmake --build --preset asan --target fuzz_inputs
-outputs=$(mktemp -d)
-trap 'rm -r "$outputs"' EXIT
-nice -n 5 build/asan/tests/fuzz_inputs --cases "$kFuzzCases" --seed 1 >"$outputs/inputs" 2>&1 &
-inputs=$!
-nice -n 5 build/release/tests/fuzz_stages --cases "$kFuzzMessages" --seed 1 >"$outputs/stages" 2>&1 &
-stages=$!
 failed=()
 nice -n 19 deploy/lint.sh build/release || failed+=(lint)
+outputs=$(mktemp -d)
+trap 'rm -r "$outputs"' EXIT
+build/asan/tests/fuzz_inputs --cases "$kFuzzCases" --seed 1 >"$outputs/inputs" 2>&1 &
+inputs=$!
+build/release/tests/fuzz_stages --cases "$kFuzzMessages" --seed 1 >"$outputs/stages" 2>&1 &
+stages=$!
 wait $inputs || failed+=(fuzzing)
 wait $stages || failed+=("fuzzing of the stages")
 cat "$outputs/inputs" "$outputs/stages"

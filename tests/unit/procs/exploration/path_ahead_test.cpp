@@ -118,8 +118,8 @@ TEST_F(PathAhead, EndsAtHome) {
   EXPECT_NEAR(length_of(home), 5.0, 0.5);
 }
 
-/// Home around two corners, farther away than a scan reaches.
-TEST(PathAheadFarFromHome, LeadsAllTheWayAndIsTheSameWithinAScan) {
+/// Home around a corner, farther away than a scan reaches.
+TEST(PathAheadFarFromHome, ReachesHomeAndIsTheSameWithinAScan) {
   const test::PlanarMine mine = tunnel_mine({{0, 0, 16, 0}, {16, 0, 16, 40}});
   test::ExploringRobot robot(mine);
   Exploration exploration{ExplorationParams{}};

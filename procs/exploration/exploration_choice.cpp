@@ -37,7 +37,7 @@ constexpr double kStraightAheadRad = 1.0;  // bend of a corridor at most, in the
 constexpr double kStraightAheadM = 30.0;   // distance of the frontier ahead at most
 constexpr double kAtFrontierM = 1.5;       // closer to a frontier its bearing is not significant
 constexpr double kHomeAheadM =
-    36.0;  // within this, home itself is the goal instead of a point on the route
+    12.0;  // within this, home itself is the goal instead of a point on the route
 constexpr double kScanRangeM = 12.0;
 constexpr double kNoPathM = 1e6;  // cost of a leg without a path: finite, so that sums stay ordered
 

@@ -31,7 +31,7 @@
 namespace adit {
 
 struct SteeringParams {
-  double rate_1_m_s = 0.4;  ///< maximum rate of change of the curvature
+  double rate_1_m_s = 0.5;  ///< maximum rate of change of the curvature, of the vehicle
   double blend_m = 0.5;     ///< distance over which a jump of the path's curvature is blended
   /// The same where walls are far enough that the speed is not reduced for them.
   double blend_wide_m = 0.6;

@@ -12,7 +12,7 @@ constexpr double kSampleSpacingM = 0.05;
 constexpr double kEpsilon = 1e-9;
 constexpr double kSteeringShare = 0.8;  // of the steering rate for the path, the rest for errors
 constexpr double kStopS = 0.3;
-constexpr double kCurvatureTolerance1M = 0.05;  // of the curvature at which the robot starts
+constexpr double kCurvatureTolerance1M = 0.2;  // of the curvature at which the robot starts
 
 /// The speed limit at an arc length, without that of braking.
 double local_limit_m_s(const PathRun& run, double s_m, double speed_max_m_s,

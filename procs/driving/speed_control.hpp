@@ -14,7 +14,7 @@ struct SpeedParams {
   double creep_m_s = 0.05;  ///< minimum speed of a moving robot
   double acceleration_m_s2 = 0.3;
   double braking_m_s2 = 0.5;  ///< planned; the guard relies on 0.6
-  double lateral_acceleration_m_s2 = 0.1;
+  double lateral_acceleration_m_s2 = 0.14;
   double clearance_full_m = 0.15;  ///< clearance from which on the speed is not reduced
   /// Clearance at which the robot creeps, as errors of the path and of the steering take it. The
   /// margin of the guard, which grows with the speed, leaves it.

@@ -38,6 +38,7 @@ constexpr double kStraightAheadM = 30.0;   // distance of the frontier ahead at 
 constexpr double kAtFrontierM = 1.5;       // closer to a frontier its bearing is not significant
 constexpr double kHomeAheadM =
     12.0;  // within this, home itself is the goal instead of a point on the route
+constexpr double kScanRangeM = 12.0;
 constexpr double kNoPathM = 1e6;  // cost of a leg without a path: finite, so that sums stay ordered
 
 double heading_of(const Eigen::Vector2d& direction) {
@@ -294,25 +295,34 @@ std::vector<Eigen::Vector2d> Exploration::path_ahead(double length_m, double spa
   if (register_.find(decision_.frontier) != nullptr) {
     const Frontier frontier = in_map(*register_.find(decision_.frontier));
     line.push_back(frontier.p_map);
-    const double on_m = straight_on_m(*register_.find(decision_.frontier), length_m);
+    const double on_m = straight_on_m(*register_.find(decision_.frontier), kScanRangeM);
     if (leads_away(frontier)) line.emplace_back(frontier.p_map + on_m * frontier.direction_map);
   } else {
     line.push_back(patrol_target_ ? known_.atlas().to_map(patrol_target_->p_map)
                                   : T_map_home().translation());
   }
-  std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
+  const std::vector<Eigen::Vector2d> points = resampled(line, length_m, spacing_m);
   const auto fits = [&](const Eigen::Vector2d& p_map) {
     for (int layer = 0; layer < known_.atlas().layers(); ++layer) {
       if (fits_as_far_as_known(known_.atlas().to_atlas(p_map, layer))) return true;
     }
     return false;
   };
-  // Less smooth where that would cut a corner.
-  for (int reach = kSmoothedWith; reach > 0; --reach) {
-    std::vector<Eigen::Vector2d> path = moving_average(points, reach);
-    if (std::ranges::all_of(path, fits)) return path;
-  }
-  return points;
+  // Less smooth where that would cut a corner, within the range of a scan and beyond it.
+  const auto smooth = [&](const std::vector<Eigen::Vector2d>& part) {
+    for (int reach = kSmoothedWith; reach > 0; --reach) {
+      std::vector<Eigen::Vector2d> path = moving_average(part, reach);
+      if (std::ranges::all_of(path, fits)) return path;
+    }
+    return part;
+  };
+  const auto near_points =
+      std::min(points.size(), static_cast<std::size_t>(kScanRangeM / spacing_m) + 1);
+  const auto near_end = points.begin() + static_cast<std::ptrdiff_t>(near_points);
+  std::vector<Eigen::Vector2d> path = smooth({points.begin(), near_end});
+  const std::vector<Eigen::Vector2d> beyond = smooth({near_end - 1, points.end()});
+  path.insert(path.end(), beyond.begin() + 1, beyond.end());
+  return path;
 }
 
 }  // namespace adit

@@ -23,7 +23,7 @@ constexpr std::size_t kFragmentsWaiting = 500;  // several local maps, or a larg
 constexpr std::size_t kTerrainsWaiting = 10;
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
-constexpr double kPathAheadM = 12.0;  // range of a 3D scan
+constexpr double kPathAheadM = 36.0;  // more than the mission drives on known ground at a time
 constexpr double kPathSpacingM = 0.3;
 constexpr double kJumpM = 8.0;  // between two poses: a new odom frame, not a motion
 

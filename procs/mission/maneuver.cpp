@@ -9,16 +9,19 @@
 namespace adit {
 namespace {
 
-constexpr double kRouteLengthM = 10.0;   // of a path along the route
-constexpr double kBackOffMinM = 1.0;     // of traversed path behind the robot
-constexpr double kLeadsBackMinM = 0.1;   // less is no path back
-constexpr double kSharedMinM = 2.5;      // of the route with the traversed path
-constexpr double kRejoinM = 6.0;         // at first
-constexpr double kRejoinMaxM = 30.0;     // after several rejoins
-constexpr double kUnscannedMaxM = 30.0;  // driven along the traversed path between two scans
-constexpr double kTransitMinM = 4.0;     // less is not worth a path of its own
-constexpr double kTransitEndM = 1.5;     // before the route leaves the traversed path
-constexpr double kRejoinViewM = 10.0;    // poses beyond the rejoin length that planning may reach
+constexpr double kRouteLengthM = 10.0;    // of a path along the route
+constexpr double kPlannedRouteM = 12.0;   // of a route over terrain: the range of a 3D scan
+constexpr double kRouteEndM = 0.01;       // tolerance of its length
+constexpr double kBackOffMinM = 1.0;      // of traversed path behind the robot
+constexpr double kLeadsBackMinM = 0.1;    // less is no path back
+constexpr double kSharedMinM = 2.5;       // of the route with the traversed path
+constexpr double kRejoinM = 6.0;          // at first
+constexpr double kRejoinMaxM = 30.0;      // after several rejoins
+constexpr double kUnscannedMaxM = 30.0;   // driven along the traversed path between two scans
+constexpr double kTransitMinM = 4.0;      // less is not worth a path of its own
+constexpr double kTransitHomeMinM = 1.0;  // to the end of the traversed path
+constexpr double kTransitEndM = 1.5;      // before the route leaves the traversed path
+constexpr double kRejoinViewM = 10.0;     // poses beyond the rejoin length that planning may reach
 
 using GoalKind = PlanGoal::Kind;
 
@@ -40,6 +43,12 @@ std::vector<Eigen::Vector2d> first_part_of(const std::vector<Eigen::Vector2d>& l
     left_m -= leg_m;
   }
   return first;
+}
+
+double length_of_line_m(const std::vector<Eigen::Vector2d>& line) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i) length_m += (line[i] - line[i - 1]).norm();
+  return length_m;
 }
 
 std::vector<Eigen::Vector2d> positions_of(const std::vector<Pose2>& poses) {
@@ -65,30 +74,35 @@ PlanGoal make_goal(GoalKind kind, double distance_m, std::vector<Eigen::Vector2d
 }  // namespace
 
 PlanGoal goal_of(const Maneuver& maneuver, const ManeuverTarget& target) {
+  const std::vector<Eigen::Vector2d> route_odom =
+      target.route_odom.empty() ? target.route_odom
+                                : first_part_of(target.route_odom, kPlannedRouteM);
+  const bool ends_at_home =
+      target.ends_at_home && length_of_line_m(target.route_odom) <= kPlannedRouteM + kRouteEndM;
   const auto route_or = [&](const std::optional<Approach>& interrupted,
-                            std::vector<Eigen::Vector2d> route_odom) {
+                            std::vector<Eigen::Vector2d> otherwise_odom) {
     return interrupted ? first_part_of(target.route_odom, interrupted->length_m)
-                       : std::move(route_odom);
+                       : std::move(otherwise_odom);
   };
   return std::visit(
-      Overloaded{
-          [&](const FollowRoute&) {
-            return make_goal(target.ends_at_home ? GoalKind::kRouteTo : GoalKind::kRoute,
-                             kRouteLengthM, target.route_odom);
-          },
-          [&](const Approach& approach) {
-            return make_goal(GoalKind::kRouteTo, kRouteLengthM,
-                             first_part_of(target.route_odom, approach.length_m));
-          },
-          [&](const BackOff& back_off) {
-            return make_goal(back_off.kind, back_off.distance_m,
-                             route_or(back_off.interrupted, positions_of(back_off.path_odom)),
-                             back_off.path_odom);
-          },
-          [&](const Rejoin& rejoin) {
-            return make_goal(rejoin.kind, rejoin.distance_m,
-                             route_or(rejoin.interrupted, target.route_odom), rejoin.path_odom);
-          }},
+      Overloaded{[&](const FollowRoute&) {
+                   return make_goal(ends_at_home ? GoalKind::kRouteTo : GoalKind::kRoute,
+                                    kRouteLengthM, route_odom);
+                 },
+                 [&](const Approach& approach) {
+                   return make_goal(GoalKind::kRouteTo, kRouteLengthM,
+                                    first_part_of(target.route_odom, approach.length_m));
+                 },
+                 [&](const BackOff& back_off) {
+                   return make_goal(
+                       back_off.kind, back_off.distance_m,
+                       route_or(back_off.interrupted, positions_of(back_off.path_odom)),
+                       back_off.path_odom);
+                 },
+                 [&](const Rejoin& rejoin) {
+                   return make_goal(rejoin.kind, rejoin.distance_m,
+                                    route_or(rejoin.interrupted, route_odom), rejoin.path_odom);
+                 }},
       maneuver);
 }
 
@@ -155,12 +169,11 @@ std::optional<double> Retracing::transit_length_m(const TraversedPath& path,
                                                   bool ends_at_route_end) const {
   if (failed_) return std::nullopt;
   const double shared_m = path.shared_length_m(route_odom);
-  double route_m = 0.0;
-  for (std::size_t i = 1; i < route_odom.size(); ++i)
-    route_m += (route_odom[i] - route_odom[i - 1]).norm();
-  const bool to_end = ends_at_route_end && shared_m >= route_m;
-  const double length_m =
-      std::min(to_end ? shared_m : shared_m - kTransitEndM, kUnscannedMaxM - unscanned_m);
+  const bool to_end = ends_at_route_end && shared_m >= length_of_line_m(route_odom);
+  const double left_m = kUnscannedMaxM - unscanned_m;
+  // The scan for a rest that is shorter than any transit would take longer than its drive.
+  if (to_end && shared_m >= kTransitHomeMinM && shared_m <= left_m + kTransitMinM) return shared_m;
+  const double length_m = std::min(to_end ? shared_m : shared_m - kTransitEndM, left_m);
   if (length_m < kTransitMinM) return std::nullopt;
   return length_m;
 }

@@ -17,6 +17,8 @@ namespace {
 constexpr double kBackOffBesideM = 1.2;  // from the nose to the centre of the vehicle
 // Before the place where paths end: the steepest beams reach the ground so far ahead of the nose.
 constexpr double kApproachMarginM = 1.0;
+// Longer than the robot backs off: a path from there to the same obstacle is no progress.
+constexpr double kPathToRejectionM = 8.0;
 constexpr double kObstacleDepthM = 1.0;  // beyond the reached place, where the obstacle may be
 // On steeper ground terrain of earlier scans may stand up as an obstacle: its place and its height
 // have errors that the slope couples [m/m].
@@ -43,8 +45,7 @@ void Mission::recover(const Recovery::Rejection& rejection) {
     return;
   }
   if (recovery_.rejections() == 0) {
-    if (localization_.T_odom_body())
-      progress_.add_rejection(localization_.T_odom_body()->translation());
+    progress_.add_rejection(localization_.traversed_path().recent(kPathToRejectionM));
   } else if (!limits_.is_unmeasured()) {
     // After a power loss the map may estimate odom only roughly until the robot moves, and without
     // the traversed path it cannot move. It stands where it stopped, and the guard protects it.

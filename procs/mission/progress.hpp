@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -39,11 +40,12 @@ class PathEnds {
   std::deque<Eigen::Vector2d> p_odom_;  ///< the newest last, fewer than kSamePlaceMax
 };
 
-/// Where targets were first rejected, in odom. A robot that returns to such a place has made no
-/// progress. Only the newest are stored, more than any part of a mine has.
+/// Where targets were first rejected, and the path to there, in odom. A robot that returns to such
+/// a place, or ends short of it, has made no progress. Only the newest are stored, more than any
+/// part of a mine has.
 class RejectedPlaces {
  public:
-  static constexpr std::size_t kPlacesStoredMax = 500;
+  static constexpr std::size_t kPlacesStoredMax = 20'000;  // of 40 for each rejection
 
   void add(const Eigen::Vector2d& p_odom) {
     p_odom_.push_back(p_odom);
@@ -73,14 +75,18 @@ class ProgressChecker {
 
   /// `distance_travelled_m`: of the mission, when a drive begins.
   void begin_drive(double distance_travelled_m) { drive_start_m_ = distance_travelled_m; }
-  void add_rejection(const Eigen::Vector2d& p_odom_body) { rejected_.add(p_odom_body); }
+  /// `recent`: T_odom_body at the rejection and on the last metres before.
+  void add_rejection(const std::vector<Pose2>& recent) {
+    for (const Pose2& T_odom_body : recent) rejected_.add(T_odom_body.translation());
+  }
 
   /// A path has ended. Returns whether the robot is stuck, see PathEnds.
   [[nodiscard]] bool add_path_end(const Eigen::Vector2d& p_odom_body) {
     return path_ends_.add_and_check_stuck(p_odom_body);
   }
 
-  /// Whether the drive led to a place where no target was rejected before.
+  /// Whether the drive led to a place where no target was rejected before, and not only back on the
+  /// path to one.
   [[nodiscard]] bool is_beyond_rejections(const TraversedPath& path) const {
     return path.distance_travelled_m() - drive_start_m_ >= kProgressMinM && path.T_odom_body() &&
            rejected_.all_farther_than(kProgressMinM, path.T_odom_body()->translation());

@@ -116,7 +116,7 @@ TEST_F(IdealVehicle, StandsInACuspUntilTheCurvatureIsReversed) {
     const bool between_runs = out.state.progress_m > 1.5 && out.state.progress_m < 2.5;
     if (between_runs && command.speed_m_s == 0.0) ++standing;
     if (command.speed_m_s < 0.0 && !reversed) {
-      EXPECT_LT(command.curvature_1_m, -0.4);
+      EXPECT_LT(command.curvature_1_m, -0.3);  // within 0.2 1/m
       reversed = true;
     }
     EXPECT_FALSE(reversed && command.speed_m_s > 0.0);

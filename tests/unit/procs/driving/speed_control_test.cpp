@@ -34,7 +34,7 @@ TEST(SpeedProfile, NeverExceedsItsLimits) {
       ASSERT_LE(v, params.speed_m_s);
       ASSERT_GE(v, params.creep_m_s);
       ASSERT_LE(v * v * std::abs(curvature), 1.02 * params.lateral_acceleration_m_s2);  // sampling
-      ASSERT_LE(v * std::abs(change), kRate);
+      ASSERT_LE(v * std::abs(change), 1.02 * kRate);  // of which it takes 80 % at its samples
       if (s_m > 0.1) {
         ASSERT_LE((last * last - v * v) / (2.0 * kStepM), params.braking_m_s2 + 1e-9);
       }
@@ -96,12 +96,18 @@ TEST_F(CommandRampTest, LimitsTheAccelerationAndSlowsDownImmediately) {
   EXPECT_NEAR(ramp_.curvature_1_m(), 0.1, 1e-9);
 }
 
-TEST_F(CommandRampTest, StartsAfterAPauseAndWithTheCurvatureSet) {
+TEST_F(CommandRampTest, StartsAfterAPauseAndWithTheCurvatureNearlySet) {
   stop(10);
-  drive(0.3, 0.6, 27);  // 1.35 s: 0.54 1/m
+  drive(0.3, 0.6, 19);  // 0.95 s: 0.38 1/m
   EXPECT_EQ(ramp_.speed_m_s(), 0.0);
-  drive(0.3, 0.6, 2);
+  double heading_rad = 0.0;  // that the vehicle turns less than with the curvature set
+  for (int i = 0; i < 12; ++i) {
+    drive(0.3, 0.6, 1);
+    heading_rad += (0.6 - ramp_.curvature_1_m()) * ramp_.speed_m_s() * kTickS;
+  }
   EXPECT_GT(ramp_.speed_m_s(), 0.0);
+  EXPECT_NEAR(ramp_.curvature_1_m(), 0.6, 1e-9);
+  EXPECT_LT(heading_rad, 0.003);  // 0.2°
   stop(2);
   drive(0.3, 0.6, 1);
   EXPECT_EQ(ramp_.speed_m_s(), 0.0);

@@ -118,6 +118,32 @@ TEST_F(PathAhead, EndsAtHome) {
   EXPECT_NEAR(length_of(home), 5.0, 0.5);
 }
 
+/// Home around a corner, farther away than a scan reaches.
+TEST(PathAheadFarFromHome, ReachesHomeAndIsTheSameWithinAScan) {
+  const test::PlanarMine mine = tunnel_mine({{0, 0, 16, 0}, {16, 0, 16, 40}});
+  test::ExploringRobot robot(mine);
+  Exploration exploration{ExplorationParams{}};
+  const auto decide = [&](bool returning_home) {
+    exploration.add(robot.last_map());
+    exploration.update(robot.graph());
+    return exploration.decide({robot.utime(), robot.T_map_body(), 2000.0, 0.0, returning_home});
+  };
+  for (int i = 0; i < 20 && robot.T_map_body().translation().norm() < 18.0; ++i) {
+    decide(false);
+    robot.drive(exploration.path_ahead(12.0, kSpacingM), 3.0);
+  }
+  ASSERT_GT(decide(true).distance_m, 16.0);
+  const auto near = exploration.path_ahead(12.0, kSpacingM);
+  const auto far = exploration.path_ahead(36.0, kSpacingM);
+  ASSERT_GT(far.size(), near.size());
+  EXPECT_TRUE(std::equal(near.begin(), near.end(), far.begin(),
+                         [](const auto& a, const auto& b) { return (a - b).norm() < 1e-9; }));
+  EXPECT_NEAR(far.back().norm(), 0.0, 1e-9);
+  for (std::size_t i = 1; i < far.size(); ++i)
+    EXPECT_LE((far[i] - far[i - 1]).norm(), kSpacingM + 1e-9) << i;
+  for (const Eigen::Vector2d& p : far) EXPECT_TRUE(mine.reachable(mine.T_world_start * p));
+}
+
 TEST_F(PathAhead, IsEmptyAtHome) { EXPECT_TRUE(path(true).empty()); }
 
 TEST_F(PathAhead, IsEmptyWithoutAMap) {

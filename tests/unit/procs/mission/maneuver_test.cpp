@@ -20,6 +20,15 @@ TEST(Maneuver, FollowsTheRouteAndEndsAtHome) {
   EXPECT_EQ(home.T_odom_goal, Pose2(4.0, 4.0, 0.0));
 }
 
+TEST(Maneuver, PlansOverTheTerrainOfOneScanOnly) {
+  const std::vector<Eigen::Vector2d> far_odom{{0.0, 0.0}, {30.0, 0.0}};
+  const PlanGoal goal = goal_of(FollowRoute{}, {far_odom, true});
+  EXPECT_EQ(goal.kind, PlanGoal::Kind::kRoute);  // home is beyond the range of the scan
+  EXPECT_EQ(goal.route_odom.back(), Eigen::Vector2d(12.0, 0.0));
+  const PlanGoal rejoin = goal_of(Rejoin{PlanGoal::Kind::kRejoin, 6.0, kBackOdom, {}}, {far_odom});
+  EXPECT_EQ(rejoin.route_odom.back(), Eigen::Vector2d(12.0, 0.0));
+}
+
 TEST(Maneuver, ApproachesAlongTheFirstPartOfTheRoute) {
   const PlanGoal goal = goal_of(Approach{5.0}, {kRouteOdom});
   EXPECT_EQ(goal.kind, PlanGoal::Kind::kRouteTo);

@@ -3,6 +3,7 @@
 // Drives along the traversed path without a 3D scan.
 #include <gtest/gtest.h>
 
+#include "procs/mission/maneuver.hpp"
 #include "tests/unit/procs/mission/scripted_stages.hpp"
 
 namespace adit {
@@ -31,6 +32,14 @@ TEST_F(MissionInTransit, DrivesBackAlongTheTraversedPathWithoutAScan) {
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
   EXPECT_NEAR(goal_.distance_m, 12.0 - 1.5, 0.7);  // to before the end of the route
   EXPECT_EQ(phase().laser, LaserId::kRear);
+}
+
+TEST_F(MissionInTransit, DrivesHomeAtOnce) {
+  reach_m_ = -20.0;
+  answer(Kind::kHome);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+  EXPECT_NEAR(goal_.distance_m, 20.0, 0.7);  // home, at the end of the traversed path
 }
 
 TEST_F(MissionInTransit, ScansWhereItHasNotBeen) {
@@ -68,6 +77,39 @@ TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
   const Eigen::Vector2d back = goal_.traversed_path_odom.back().translation() -
                                goal_.traversed_path_odom.front().translation();
   EXPECT_NEAR(back.norm(), 12.0 - 1.5, 0.7);  // no pose beyond the end of the route
+}
+
+class TransitHome : public testing::Test {
+ protected:
+  TransitHome() {
+    for (int i = 0; i <= 300; ++i) path_.add(i, {0.2 * i, 0.0, 0.0});  // 60 m
+  }
+  /// Length of the transit from the end of the path over a route to its start, `route_m` long.
+  [[nodiscard]] std::optional<double> length_m(double route_m, double unscanned_m,
+                                               bool ends_at_home = true) const {
+    const double x_m = path_.T_odom_body()->x;
+    std::vector<Eigen::Vector2d> route_odom;
+    for (int i = 0; i <= 100; ++i) route_odom.emplace_back(x_m - route_m * i / 100, 0.0);
+    return Retracing{}.transit_length_m(path_, route_odom, unscanned_m, ends_at_home);
+  }
+
+  TraversedPath path_;
+};
+
+TEST_F(TransitHome, NeedsNoScanForTheLastMetres) {
+  EXPECT_NEAR(length_m(28.0, 0.0).value(), 28.0, 1e-6);
+  EXPECT_NEAR(length_m(33.0, 0.0).value(), 33.0, 1e-6);  // 3 m more than without a scan
+  EXPECT_NEAR(length_m(36.0, 0.0).value(), 30.0, 1e-6);  // a scan there, and 6 m more
+  EXPECT_NEAR(length_m(1.5, 10.0).value(), 1.5, 1e-6);
+  EXPECT_NEAR(length_m(3.0, 29.0).value(), 3.0, 1e-6);
+  EXPECT_FALSE(length_m(5.0, 29.5));
+  EXPECT_FALSE(length_m(0.5, 10.0));  // too short a path to retrace
+}
+
+TEST_F(TransitHome, EndsBeforeTheRouteLeavesTheTraversedPath) {
+  EXPECT_NEAR(length_m(28.0, 0.0, false).value(), 26.5, 1e-6);
+  EXPECT_NEAR(length_m(33.0, 0.0, false).value(), 30.0, 1e-6);
+  EXPECT_FALSE(length_m(5.0, 0.0, false));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct DisplacementErrorParams {
   double drift_rad_per_sqrt_m = 0.0008;
   double drift_rad_per_sqrt_rad = 0.0015;
   double dense_m = 0.25;  ///< scans farther apart sample the walls less densely and drift more
-  double wheels_m_per_sqrt_m = 0.03;  ///< of a distance that only the wheels measured: random walk
+  double wheels_m_per_sqrt_m = 0.02;  ///< of a distance that only the wheels measured: random walk
   double wheels_scale_sd = 0.015;     ///< and error of scale, the same over a displacement
   double wheels_rad_per_sqrt_m = 0.02;  ///< of a turn by the wheels: random walk along the path
   double wheels_rad_per_rad = 0.1;      ///< and with the turn

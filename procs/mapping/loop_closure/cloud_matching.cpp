@@ -85,7 +85,6 @@ std::vector<MatchedClouds> CloudMatching::matches(
       const Pose2 T_older_newer = between(older_map.T_map_local * older.T_local_level, T_map_newer);
       const double distance_m = T_older_newer.translation().norm();
       if (distance_m > params_.distance_max_m) continue;
-      if (look_at_each_other(newer, older, T_older_newer)) continue;
       pairs.push_back({distance_m, &older, T_older_newer,
                        newer_map.z_m + newer.place.z_m - older_map.z_m - older.place.z_m});
     }

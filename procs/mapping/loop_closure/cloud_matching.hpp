@@ -42,6 +42,7 @@ struct CloudMatchingParams {
   /// Cosine between the mean directions of view of two 3D scans. Below, they look at each other:
   /// each sees the sides of the same stones that the other does not, and errs by up to 0.4 m.
   double view_cosine_min = -0.2;
+  double facing_variance_share = 25.0;   ///< of the displacement of such scans
   double level_sd_rad = 0.01;            ///< of the relative roll and pitch of two level frames
   double displacement_floor_m = 0.0025;  ///< minimum standard deviation of the displacement
   /// Across the displacement, and of its turn, planar scans are more accurate: the match errs alike
@@ -65,6 +66,7 @@ struct CloudMatchingParams {
     v("displacement_variance_share", displacement_variance_share, within(1e-3, 10.0));
     v("tilt_variance_share", tilt_variance_share, within(1e-3, 10.0));
     v("view_cosine_min", view_cosine_min, within(-1.0, 1.0));
+    v("facing_variance_share", facing_variance_share, within(1e-3, 1e6));
     v("level_sd_rad", level_sd_rad, within(1e-4, 1.0));
     v("displacement_floor_m", displacement_floor_m, within(0.0, 1.0));
     v("across_sd_m", across_sd_m, within(0.0, 10.0));

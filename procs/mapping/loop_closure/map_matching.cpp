@@ -228,7 +228,7 @@ class MapMatcher {
       const Eigen::Matrix3d there = Ad * covariance * Ad.transpose();
       if (there.trace() > largest.trace()) largest = there;
     }
-    return params_.neighbour_variance_factor * largest;
+    return largest;
   }
 
   [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {

@@ -42,9 +42,6 @@ struct MapMatchingParams {
   /// different heights. Measured in simulated mines: 8 mm on level ground, 12 mm on slopes.
   double floor_m = 0.01;
   double floor_rad = 0.0015;
-  /// Factor of the variance of the displacement to a neighbour on whose walls the newer map lies:
-  /// its error is in the displacement already, and in each match with this neighbour.
-  double neighbour_variance_factor = 4.0;
   /// Standard deviation along the line between the two places, per roughness of the walls and
   /// square of their distance [1/m²]. Of a rough wall seen from two sides each shows the sides of
   /// its bumps that face it, so that the places seem nearer to each other, the more the flatter
@@ -69,7 +66,6 @@ struct MapMatchingParams {
     v("correlated_points", correlated_points, within(1.0, 1000.0));
     v("floor_m", floor_m, within(0.0, 1.0));
     v("floor_rad", floor_rad, within(0.0, 1.0));
-    v("neighbour_variance_factor", neighbour_variance_factor, within(0.0, 100.0));
     v("far_view_per_m2", far_view_per_m2, within(0.0, 100.0));
   }
 };

@@ -229,7 +229,8 @@ class GuardedRun {
   ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyNodeParams>()};
   TerrainNode terrain_{bus_, TerrainParams{}};
   PlanningNode planning_{bus_, PlanningParams{}};
-  DrivingNode driving_{bus_, DrivingParams{}};
+  DrivingParams driving_params_;
+  DrivingNode driving_{bus_, driving_params_};
   GuardNode guard_{bus_, with_groundhog_lasers<GuardParams>()};
   PlannedPath path_;
   DrivingState state_;

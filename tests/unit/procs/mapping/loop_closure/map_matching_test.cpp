@@ -86,8 +86,7 @@ TEST(MapMatching, IsAsUnsureAsThePlaceOfTheNeighbourOnWhichItLies) {
   const Eigen::Matrix3d of_next = sd.cwiseAbs2().asDiagonal();
   const Eigen::Matrix3d added = covariance(of_next) - covariance(Eigen::Matrix3d::Zero());
   const Eigen::Matrix3d Ad = adjoint(between(truth, T_older_next));
-  const Eigen::Matrix3d expected =
-      MapMatchingParams{}.neighbour_variance_factor * Ad * of_next * Ad.transpose();
+  const Eigen::Matrix3d expected = Ad * of_next * Ad.transpose();
   EXPECT_TRUE(added.isApprox(expected, 0.02)) << added << "\n\n" << expected;
 }
 

@@ -87,7 +87,8 @@ TYPED_TEST(DriveAPath, PassesAPostAndArrives) {
   EXPECT_GT(robot.run_state().distance_travelled_m, 6.5);
   EXPECT_LE(absolute_quantile(errors_m, 0.95), 0.10);
   const Pose2 T_end_body = between(robot.path().points.back().T_odom_body, robot.truth());
-  EXPECT_LE(T_end_body.translation().norm(), 0.05);
+  // Along the smooth tunnel wheels measure most of the motion: 0.02 m per root of a metre.
+  EXPECT_LE(T_end_body.translation().norm(), 0.02 + 0.02 * std::sqrt(8.0));
   EXPECT_LE(std::abs(T_end_body.theta), deg_to_rad(2.0));
 }
 

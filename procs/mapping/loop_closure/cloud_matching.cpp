@@ -149,8 +149,11 @@ std::optional<MatchedClouds> CloudMatching::match(const Scan& newer, const Scan&
   };
   const UncertainPose T_older_level{older.T_local_level, placed(older)};
   const UncertainPose T_level_newer{newer.T_local_level.inverse(), placed(newer)};
-  Eigen::Matrix3d covariance = params_.displacement_variance_share *
-                               planar_information(matched.information, prior.information).inverse();
+  const double share = look_at_each_other(newer, older, T_older_newer)
+                           ? params_.facing_variance_share
+                           : params_.displacement_variance_share;
+  Eigen::Matrix3d covariance =
+      share * planar_information(matched.information, prior.information).inverse();
   covariance += beside_displacement(T_levels);
   const UncertainPose between_levels{T_levels, covariance};
   const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;

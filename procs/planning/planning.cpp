@@ -156,7 +156,8 @@ PlannedPath Planning::make_path(const LatticePath& found, const LatticePose& sta
 }
 
 WallDistance Planning::wall_distance(const TerrainMap& terrain, const Pose2& T_level_body) const {
-  return {terrain, ground_->layers, T_level_body, params_.vehicle, params_.c_space.ground};
+  return {terrain,         ground_->layers,        T_level_body,
+          params_.vehicle, params_.c_space.ground, params_.lasers.front.height_m};
 }
 
 std::optional<PlannedPath> Planning::passage(const TerrainMap& terrain, const PlanGoal& goal,

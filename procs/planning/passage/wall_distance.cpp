@@ -82,6 +82,12 @@ bool is_by_height(Reason reason) {
          reason == Reason::kSlope;
 }
 
+/// Whether an obstacle with points ends below a height above the ground.
+bool ends_below(const TerrainCell& cell, double height_m) {
+  return cell.ground == Ground::kObserved && cell.obstacle_parts != 0 &&
+         cell.coefficient_m < height_m;
+}
+
 /// The parts of a cell that block the body.
 std::uint16_t blocked_parts(const TerrainMap& terrain, const GroundLayers& layers,
                             const Eigen::Vector2i& at, const Vehicle& vehicle,
@@ -105,22 +111,24 @@ std::uint16_t blocked_parts(const TerrainMap& terrain, const GroundLayers& layer
 
 WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers,
                            const Pose2& T_level_body, const Vehicle& vehicle,
-                           const GroundLimits& limits)
+                           const GroundLimits& limits, double level_beam_m)
     : p_level_corner_(terrain.p_level_corner),
       part_m_(terrain.cell_m / CellParts::kSide),
       half_m_(body_outline(vehicle).half),
       lean_(terrain, vehicle) {
   Grid2<std::uint8_t> blocked(CellParts::kSide * terrain.cells.columns(),
                               CellParts::kSide * terrain.cells.rows());
+  Grid2<std::uint8_t> unseen = blocked;
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
-  const auto block = [&](const Eigen::Vector2d& p_level) {
+  const auto block = [&](const Eigen::Vector2d& p_level, Grid2<std::uint8_t>& among) {
     const Eigen::Vector2i at = cell_of(p_level - p_level_corner_, part_m_);
-    if (blocked.contains(at) && !footprint.contains(T_body_level * p_level)) blocked.at(at) = 1;
+    if (among.contains(at) && !footprint.contains(T_body_level * p_level)) among.at(at) = 1;
   };
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::uint16_t parts = blocked_parts(terrain, layers, {column, row}, vehicle, limits);
+      const bool is_unseen = ends_below(terrain.cells.at({column, row}), level_beam_m);
       const Eigen::Vector2d& displacement_m = layers.displacement_m.at({column, row});
       for (int part = 0; parts != 0 && part < CellParts::kCount; ++part) {
         if ((parts & (1U << static_cast<unsigned>(part))) == 0) continue;
@@ -129,12 +137,17 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
         const Eigen::Vector2d p = p_level_corner_ + centre_of(at, part_m_);
         const int steps = static_cast<int>(displacement_m.norm() / part_m_);
         for (int step = 0; step <= steps; ++step) {
-          block(p + displacement_m * step / std::max(steps, 1));
+          block(p + displacement_m * step / std::max(steps, 1), is_unseen ? unseen : blocked);
         }
       }
     }
   }
   distance_m_ = distance_transform(blocked, part_m_);
+  const Grid2<float> unseen_m = distance_transform(unseen, part_m_);
+  for (std::size_t i = 0; i < unseen_m.size(); ++i) {
+    const float nearer_m = std::max(unseen_m[i] - static_cast<float>(kUnseenM), 0.0F);
+    distance_m_[i] = std::min(distance_m_[i], nearer_m);
+  }
 }
 
 double WallDistance::at(const Eigen::Vector2d& p_level) const {

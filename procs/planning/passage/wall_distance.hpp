@@ -17,11 +17,15 @@ namespace adit {
 /// unobserved only since it is near a shadow that begins behind a wall. All other cells that are
 /// lethal to the body or to the wheels, and unobserved ones, block as a whole. What lies under the
 /// robot is free.
+///
+/// What ends below the beams of the level lasers counts as nearer by kUnseenM: beside the robot,
+/// neither centring nor the guard measures it again, and the beams of a 3D scan miss the tips of
+/// rubble.
 class WallDistance {
  public:
-  /// The pose of the robot is in level.
+  /// The pose of the robot is in level; `level_beam_m` is the height of the level lasers.
   WallDistance(const TerrainMap& terrain, const GroundLayers& layers, const Pose2& T_level_body,
-               const Vehicle& vehicle, const GroundLimits& limits);
+               const Vehicle& vehicle, const GroundLimits& limits, double level_beam_m);
 
   /// Distance from a point to the centre of the nearest blocked part, interpolated [m]; 0 outside
   /// the map.
@@ -38,6 +42,7 @@ class WallDistance {
   [[nodiscard]] double clearance_m(const Pose2& T_level_body) const;
 
   static constexpr double kSideMaxM = 1.0;
+  static constexpr double kUnseenM = 0.075;
 
  private:
   [[nodiscard]] double outline_clearance_m(const Pose2& T_level_outline) const;

@@ -27,6 +27,7 @@ struct StraightOrBentTunnel {
   bool bent = false;
   double edge_x_m = 1e3;  ///< from here on the left side is closed
   double edge_y_m = 0.0;  ///< as far as this
+  float height_m = 1.0F;  ///< of the walls
 
   /// Whether a point lies in what closes the left side, and how far from its surface.
   [[nodiscard]] bool is_closed(const Eigen::Vector2d& p) const {
@@ -68,7 +69,8 @@ TerrainMap terrain_of_tunnel(const StraightOrBentTunnel& tunnel) {
     const Eigen::Vector2i at = map.cells.cell(i);
     for (int k = 0; k < 9; ++k) {
       const TerrainCell near = map.cells.get(at + Eigen::Vector2i(k % 3 - 1, k / 3 - 1));
-      if (near.obstacle_parts != 0) map.cells[i].coefficient_m = map.cells[i].high_m = 1.0F;
+      if (near.obstacle_parts != 0)
+        map.cells[i].coefficient_m = map.cells[i].high_m = tunnel.height_m;
     }
     map.cells[i].count = 20;
   }
@@ -107,6 +109,20 @@ TEST(Passage, KeepsToTheMiddleAtAnyHeading) {
     EXPECT_GT(path.reached_m, 4.0);
     EXPECT_GT(true_clearance_m(path, tunnel), 0.06 - 2.0 * kPartErrorM);
   }
+}
+
+TEST(Passage, KeepsMoreRoomToWhatTheLevelLasersDoNotSee) {
+  PlanningParams params;
+  params.lasers.front.height_m = 0.6;
+  StraightOrBentTunnel tunnel{1.36};
+  tunnel.height_m = 0.65F;
+  EXPECT_GT(plan_along(tunnel, false, params).reached_m, 4.0);
+  tunnel.height_m = 0.55F;
+  EXPECT_LT(plan_along(tunnel, false, params).reached_m, 1.3);  // as near as at the start
+  tunnel.width_m = 1.46;
+  const PlannedPath path = plan_along(tunnel, false, params);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
+  EXPECT_GT(true_clearance_m(path, tunnel), 0.13 - 2.0 * kPartErrorM);
 }
 
 TEST(Passage, FollowsABend) {

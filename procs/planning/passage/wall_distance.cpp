@@ -119,30 +119,38 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
   Grid2<std::uint8_t> blocked(CellParts::kSide * terrain.cells.columns(),
                               CellParts::kSide * terrain.cells.rows());
   Grid2<std::uint8_t> unseen = blocked;
+  bool any_unseen = false;
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
+  const double under_robot_m = half_m_.norm();
   const auto block = [&](const Eigen::Vector2d& p_level, Grid2<std::uint8_t>& among) {
     const Eigen::Vector2i at = cell_of(p_level - p_level_corner_, part_m_);
-    if (among.contains(at) && !footprint.contains(T_body_level * p_level)) among.at(at) = 1;
+    if (!among.contains(at)) return;
+    const bool is_near = (p_level - T_level_body.translation()).norm() <= under_robot_m;
+    if (!is_near || !footprint.contains(T_body_level * p_level)) among.at(at) = 1;
   };
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::uint16_t parts = blocked_parts(terrain, layers, {column, row}, vehicle, limits);
+      if (parts == 0) continue;
       const bool is_unseen = ends_below(terrain.cells.at({column, row}), level_beam_m);
+      any_unseen = any_unseen || is_unseen;
+      Grid2<std::uint8_t>& among = is_unseen ? unseen : blocked;
       const Eigen::Vector2d& displacement_m = layers.displacement_m.at({column, row});
-      for (int part = 0; parts != 0 && part < CellParts::kCount; ++part) {
+      const int steps = static_cast<int>(displacement_m.norm() / part_m_);
+      for (int part = 0; part < CellParts::kCount; ++part) {
         if ((parts & (1U << static_cast<unsigned>(part))) == 0) continue;
         const Eigen::Vector2i at(CellParts::kSide * column + part % CellParts::kSide,
                                  CellParts::kSide * row + part / CellParts::kSide);
         const Eigen::Vector2d p = p_level_corner_ + centre_of(at, part_m_);
-        const int steps = static_cast<int>(displacement_m.norm() / part_m_);
         for (int step = 0; step <= steps; ++step) {
-          block(p + displacement_m * step / std::max(steps, 1), is_unseen ? unseen : blocked);
+          block(p + displacement_m * step / std::max(steps, 1), among);
         }
       }
     }
   }
   distance_m_ = distance_transform(blocked, part_m_);
+  if (!any_unseen) return;
   const Grid2<float> unseen_m = distance_transform(unseen, part_m_);
   for (std::size_t i = 0; i < unseen_m.size(); ++i) {
     const float nearer_m = std::max(unseen_m[i] - static_cast<float>(kUnseenM), 0.0F);

@@ -27,6 +27,7 @@ namespace {
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 constexpr std::size_t kBurstOneIn = 2;    // steps
 constexpr int kBurstLength = 64;          // messages
+constexpr int kLongBurstLength = 8;       // of messages that take a stage long
 constexpr std::size_t kBeforeOneIn = 8;   // messages of the mission
 constexpr int kCopies = 4;                // sent before one of them
 constexpr std::size_t kCopiedMax = 4000;  // [bytes]
@@ -41,6 +42,10 @@ constexpr double kTolerance = 1e-9;
 /// What the stages publish periodically, whatever the mission does.
 constexpr std::array kPeriodic{channels::kPose, channels::kScanMatch, channels::kStop,
                                channels::kPhase};
+
+/// Each starts a search for a path, or a map of a 3D scan.
+constexpr std::array kLong{channels::kGoal, channels::kTerrainReady, channels::kCloud,
+                           channels::kCloudResend};
 
 /// Orders, which end the mission, are rare.
 constexpr std::size_t kOrderOneIn = 500;
@@ -171,7 +176,8 @@ void FuzzedMission::send_burst() {
   const std::string& channel = subscribed_[below(subscribed_.size())];
   if (channel == channels::kMissionOrder && below(kOrderOneIn) != 0) return;
   Sample& sample = samples_.at(channel);
-  for (int i = 0; i < kBurstLength; ++i) send(channel, sample);
+  const bool is_long = std::ranges::find(kLong, channel) != kLong.end();
+  for (int i = 0; i < (is_long ? kLongBurstLength : kBurstLength); ++i) send(channel, sample);
 }
 
 void FuzzedMission::send(const std::string& channel, Sample& sample) {

@@ -35,19 +35,24 @@ struct ScanTiming {
   double mirror_hz = 75.0;
   /// Mirror turns per scan, of which each measures every n-th beam. 0: those of a SICK LMS-200.
   int mirror_turns = 0;
+  /// The beams are measured from the last to the first, as by a lidar that turns clockwise.
+  bool clockwise = false;
 
   template <class V>
   void visit(V& v) {
     v("mirror_hz", mirror_hz, above(0.0));
     v("turns", mirror_turns, within(0, 8));
+    v("clockwise", clockwise);
   }
 
   /// Mirror turns per scan: as configured, or 2 where beams are less than 0.75° apart.
   [[nodiscard]] int turns(double angle_step_rad) const;
   /// Time from the first beam of a scan to the first beam of the next [s].
   [[nodiscard]] double scan_period_s(double angle_step_rad) const;
-  /// Time of a beam relative to the first beam of the scan, LaserScan::utime [s].
-  [[nodiscard]] double beam_time_s(int beam, double angle_step_rad) const;
+  /// Time of one of so many beams relative to that measured first, LaserScan::utime [s].
+  [[nodiscard]] double beam_time_s(int beam, int beams, double angle_step_rad) const;
+  /// The same of the beam measured last; 0 without beams.
+  [[nodiscard]] double last_beam_time_s(int beams, double angle_step_rad) const;
 };
 
 }  // namespace adit

@@ -30,14 +30,13 @@ CloudLine BeamPlacement::place(const LaserScan& scan, const std::vector<float>& 
 }
 
 std::int64_t BeamPlacement::utime_of_beam(const LaserScan& scan, int beam) const {
-  return scan.utime + std::llround(1e6 * timing_.beam_time_s(beam, scan.angle_step_rad));
+  const auto beams = static_cast<int>(scan.ranges_m.size());
+  return scan.utime + std::llround(1e6 * timing_.beam_time_s(beam, beams, scan.angle_step_rad));
 }
 
 std::int64_t BeamPlacement::end_utime(const LaserScan& scan) const {
-  // If a scan takes two turns of the mirror, one of its last two beams is the last in time.
   const auto beams = static_cast<int>(scan.ranges_m.size());
-  return std::max(utime_of_beam(scan, std::max(beams - 1, 0)),
-                  utime_of_beam(scan, std::max(beams - 2, 0)));
+  return scan.utime + std::llround(1e6 * timing_.last_beam_time_s(beams, scan.angle_step_rad));
 }
 
 Eigen::Isometry3d BeamPlacement::T_level_laser(std::int64_t utime) const {

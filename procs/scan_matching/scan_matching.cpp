@@ -13,7 +13,9 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/registration/degeneracy.hpp"
+#include "common/sensing/motion_correction.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "common/sensing/seconds.hpp"
 #include "procs/scan_matching/motion/motion_prediction.hpp"
 
 namespace adit {
@@ -82,6 +84,15 @@ std::optional<int> grade_group_of(const SurfacePoint& point, double laser_m) {
   return point.p.x() > 0.0 ? 0 : 1;
 }
 
+/// The measured beams that these beams show, each once, in order.
+std::vector<std::int32_t> measured_beams(const StillScan& still, std::vector<std::int32_t> beams) {
+  if (still.beam_of.empty()) return beams;
+  for (std::int32_t& beam : beams) beam = still.measured_beam(beam);
+  std::ranges::sort(beams);
+  beams.erase(std::unique(beams.begin(), beams.end()), beams.end());
+  return beams;
+}
+
 /// Root mean square distance of the points: the mean displacement per radian of turn.
 double lever_arm_m(const std::vector<SurfacePoint>& points) {
   double squares = 0.0;
@@ -145,9 +156,10 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
 
   const double level_share = match.attitude ? std::cos(match.attitude->pitch_rad) : 1.0;
   const MotionEstimate expected = motion_.predict(scan.utime, level_share * wheel_scale_.scale());
-  ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
+  const StillScan still = without_motion(scan, mount_of(laser), velocity(scan.utime, expected));
+  ScanObservation observation = observe(laser, still.scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
-  match.ground_beams = std::move(observation.ground_beams);
+  match.ground_beams = measured_beams(still, observation.ground_beams);
   PoseSearchResult found;
   const bool has_reference = reference_.has_laser(laser);
   if (has_reference) {
@@ -158,7 +170,8 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
   }
-  match.unconfirmed_beams = unconfirmed_beams(observation, match.T_odom_body);
+  match.unconfirmed_beams =
+      measured_beams(still, unconfirmed_beams(observation, match.T_odom_body));
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   match.z_m += climb_m(match);
   compare_with_wheels(match, expected, level_share);
@@ -183,6 +196,17 @@ void ScanMatching::shift_time_to(std::int64_t utime) {
   utime_ += shift_us;
   motion_.shift_time(shift_us);
   chain_doubt_.shift_time(shift_us);
+}
+
+const LaserMount& ScanMatching::mount_of(LaserId laser) const {
+  return laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
+}
+
+/// Of (x, y, θ) in the body frame, by the expected motion since the last scan.
+Eigen::Vector3d ScanMatching::velocity(std::int64_t utime, const MotionEstimate& expected) const {
+  const double duration_s = seconds(utime - utime_);
+  if (utime_ == 0 || !(duration_s > 0.0)) return Eigen::Vector3d::Zero();
+  return between(T_odom_body_, expected.prior.T_odom_body).vector() / duration_s;
 }
 
 /// The result for a scan that is not used: the last pose.
@@ -239,7 +263,7 @@ bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
 /// Points on the ground and the roof are left out: they move with the attitude of the body.
 ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
                                       const Pose2& T_odom_expected) const {
-  const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
+  const LaserMount& mount = mount_of(laser);
   const std::optional<Attitude> known = this->attitude();
   const Attitude attitude = known.value_or(Attitude{});
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);

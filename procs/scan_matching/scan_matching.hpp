@@ -110,6 +110,8 @@ class ScanMatching {
 
  private:
   [[nodiscard]] std::optional<Attitude> attitude() const;
+  [[nodiscard]] const LaserMount& mount_of(LaserId laser) const;
+  [[nodiscard]] Eigen::Vector3d velocity(std::int64_t utime, const MotionEstimate& expected) const;
   [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan,
                                         const Pose2& T_odom_expected) const;
   [[nodiscard]] ScanMatch rejected(std::int64_t utime) const;

@@ -49,13 +49,8 @@ ScanSchedule::ScanSchedule(const LaserParams& params, std::int64_t start_utime, 
     : start_utime_(start_utime),
       phase_(phase),
       period_s_(params.timing.scan_period_s(params.angle_step_rad())),
-      last_beam_s_(0.0),
-      scan_decimation_(params.scan_decimation) {
-  const int turns = params.timing.turns(params.angle_step_rad());
-  for (int beam = std::max(0, params.beams - turns); beam < params.beams; ++beam) {
-    last_beam_s_ = std::max(last_beam_s_, params.timing.beam_time_s(beam, params.angle_step_rad()));
-  }
-}
+      last_beam_s_(params.timing.last_beam_time_s(params.beams, params.angle_step_rad())),
+      scan_decimation_(params.scan_decimation) {}
 
 std::int64_t ScanSchedule::begin_utime() const {
   const double seconds = (phase_ + static_cast<double>(scan_)) * period_s_;

@@ -39,6 +39,9 @@ struct CloudMatchingParams {
   /// displacement, and of the tilt of two level frames.
   double displacement_variance_share = 0.25;
   double tilt_variance_share = 0.2;
+  /// Of both, and of the attitude, for a spinning lidar: its few rings show the surfaces along lines
+  /// only, and gravity is measured for one second instead of a sweep.
+  double lidar_variance_factor = 9.0;
   /// Cosine between the mean directions of view of two 3D scans. Below, they look at each other:
   /// each sees the sides of the same stones that the other does not, and errs by up to 0.4 m.
   double view_cosine_min = -0.2;
@@ -65,6 +68,7 @@ struct CloudMatchingParams {
     v("attitude_sd_rad", attitude_sd_rad, within(1e-6, 1.0));
     v("displacement_variance_share", displacement_variance_share, within(1e-3, 10.0));
     v("tilt_variance_share", tilt_variance_share, within(1e-3, 10.0));
+    v("lidar_variance_factor", lidar_variance_factor, within(1e-3, 1e3));
     v("view_cosine_min", view_cosine_min, within(-1.0, 1.0));
     v("facing_variance_share", facing_variance_share, within(1e-3, 1e6));
     v("level_sd_rad", level_sd_rad, within(1e-4, 1.0));

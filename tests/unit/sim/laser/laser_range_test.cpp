@@ -68,7 +68,9 @@ TEST(LaserModel, PlacesEachBeamOfAWideScanAtItsTime) {
   const LaserScan scan =
       laser.measure([&](double seconds) { return laser_at(kMiddle, kRate * seconds); }, 0);
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
-    const double yaw = kRate * params.timing.beam_time_s(static_cast<int>(i), scan.angle_step_rad);
+    const double yaw = kRate * params.timing.beam_time_s(static_cast<int>(i),
+                                                         static_cast<int>(scan.ranges_m.size()),
+                                                         scan.angle_step_rad);
     const double range = range_in_rectangle(12.0, 6.0, beam_angle(scan, i) + yaw);
     EXPECT_NEAR(scan.ranges_m[i], range, 0.001) << i;  // and the interpolation between knots
   }

@@ -72,6 +72,10 @@ ImportedLaser ImportedLaser::of(LaserId id, const std::string& topic, const BagS
                     topic, rad_to_deg(inclination(laser.T_body_laser)), quote(choice.base_frame)));
   }
   use_ranges(*laser.topic, laser.level.mount);
+  if (laser.topic->timing) {
+    laser.level.mount.timing = *laser.topic->timing;
+    laser.level.mount.timing.clockwise = laser.topic->timing->clockwise != laser.level.upside_down;
+  }
   return laser;
 }
 

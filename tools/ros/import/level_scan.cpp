@@ -13,6 +13,8 @@
 namespace adit {
 namespace {
 
+constexpr double kSlowestHz = 1.0;  // of the turns of a laser
+constexpr double kFastestHz = 400.0;
 constexpr double kInclinationMaxRad = 10.0 * std::numbers::pi / 180.0;
 
 }  // namespace
@@ -25,6 +27,14 @@ std::optional<LevelMount> LevelMount::of(const Eigen::Isometry3d& T_body_laser) 
   level.mount.height_m = T_body_laser.translation().z();
   level.upside_down = up < 0.0;
   return level;
+}
+
+std::optional<ScanTiming> timing_of(const RosLaserScan& scan) {
+  const double per_turn_s = 2.0 * std::numbers::pi * scan.time_increment_s /
+                            scan.angle_step_rad;  // NaN or infinite: none
+  const double hz = 1.0 / std::abs(per_turn_s);
+  if (!(hz >= kSlowestHz && hz <= kFastestHz)) return std::nullopt;
+  return ScanTiming{.mirror_hz = hz, .mirror_turns = 1, .clockwise = per_turn_s < 0.0};
 }
 
 std::optional<LaserScan> level_scan(const RosLaserScan& scan, bool upside_down) {

@@ -22,6 +22,10 @@ struct LevelMount {
   static std::optional<LevelMount> of(const Eigen::Isometry3d& T_body_laser);
 };
 
+/// The rate at which a laser turns, in which direction, of one that is not upside down. Nothing
+/// where its messages have no time from beam to beam, or one that no laser has.
+std::optional<ScanTiming> timing_of(const RosLaserScan& scan);
+
 /// The scan in the order of our messages, counter-clockwise seen from above. Nothing for a scan
 /// without beams, or with beams that no laser has (rejection_reason).
 std::optional<LaserScan> level_scan(const RosLaserScan& scan, bool upside_down);

@@ -106,6 +106,7 @@ class TopicReader {
       topic.frame = scan->frame;
       topic.range_min_m = scan->range_min_m;
       topic.range_max_m = scan->range_max_m;
+      topic.timing = timing_of(*scan);
     } else if (topic.is(ros_types::kPointCloud2)) {
       if (const auto cloud = ros_point_cloud(bytes)) topic.frame = cloud->frame;
     } else if (topic.is(ros_types::kImu)) {

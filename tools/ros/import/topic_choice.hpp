@@ -22,6 +22,7 @@ struct SurveyedTopic {
   std::string frame = {};                  ///< of the first message; empty for other types
   std::optional<double> range_min_m = {};  ///< of a laser
   std::optional<double> range_max_m = {};  ///< of a laser
+  std::optional<ScanTiming> timing = {};   ///< of a laser that says it
   std::string child_frame = {};            ///< of odometry
   FrameTree poses = {};                    ///< of odometry: kChild in kOrigin, if they are wanted
   static constexpr const char* kOrigin = "origin";

@@ -45,7 +45,7 @@ RosLaserScan begin_of_scan(RosFields& fields) {
   scan.angle_min_rad = fields.f32();
   fields.f32();  // angle_max
   scan.angle_step_rad = fields.f32();
-  fields.f32();  // time_increment
+  scan.time_increment_s = fields.f32();
   fields.f32();  // scan_time
   scan.range_min_m = fields.f32();
   scan.range_max_m = fields.f32();

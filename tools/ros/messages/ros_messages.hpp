@@ -40,7 +40,8 @@ struct RosLaserScan {
   std::int64_t utime = 0;
   std::string frame;
   double angle_min_rad = 0.0;
-  double angle_step_rad = 0.0;  ///< negative if the beams are clockwise
+  double angle_step_rad = 0.0;    ///< negative if the beams are clockwise
+  double time_increment_s = 0.0;  ///< from one beam to the next; 0 where the driver does not say
   double range_min_m = 0.0;
   double range_max_m = 0.0;
   std::vector<float> ranges_m;

@@ -162,6 +162,22 @@ TEST_F(BagImportTest, ConvertsEachReadingAndTheMountOfTheLaser) {
   EXPECT_LT((imu.linear_acceleration - Eigen::Vector3d(0.0, 1.0, 9.8)).norm(), 1e-9);
 }
 
+TEST(LevelScan, KnowsTheTurnsOfALaserByTheTimeBetweenItsBeams) {
+  RosLaserScan scan;
+  scan.angle_step_rad = kPi / 180.0;
+  EXPECT_FALSE(timing_of(scan));  // 0: the driver does not say
+  scan.time_increment_s = 0.1 / 360.0;
+  const auto timing = timing_of(scan);
+  ASSERT_TRUE(timing);
+  EXPECT_NEAR(timing->mirror_hz, 10.0, 1e-9);
+  EXPECT_EQ(timing->mirror_turns, 1);
+  EXPECT_FALSE(timing->clockwise);
+  scan.angle_step_rad = -scan.angle_step_rad;
+  EXPECT_TRUE(timing_of(scan)->clockwise);
+  scan.time_increment_s = 5.0;
+  EXPECT_FALSE(timing_of(scan));
+}
+
 TEST_F(BagImportTest, TellsTheFrontFromTheRearLaserByTf) {
   write_tf("/tf_static", {0, "base_link", "a", pose({-0.5, 0.0, 0.3}, 0.0, 0.0, kPi)});
   write_tf("/tf_static", {0, "base_link", "b", pose({0.5, 0.0, 0.3}, 0.0, 0.0, 0.0)});

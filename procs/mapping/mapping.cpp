@@ -151,9 +151,9 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
                                       const ScanMatch& match) {
   update_odom(match);
   const auto mount = mounts_.find(channel);
-  const bool takes_long = mount != mounts_.end() && adit::takes_long(scan, mount->second.timing);
-  auto map = takes_long ? add_without_motion(channel, scan, mount->second, match)
-                        : builder_.add(channel, scan, match);
+  const bool is_slow = mount != mounts_.end() && takes_long(scan, mount->second.timing);
+  auto map = is_slow ? add_without_motion(channel, scan, mount->second, match)
+                     : builder_.add(channel, scan, match);
   if (new_cloud_) place_cloud();
   if (map) return add_local_map(std::move(*map));
   const std::vector<LocalScan>& scans = builder_.current().scans;

@@ -15,6 +15,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/text/message_text.hpp"
 #include "tools/ros/bag/bag_files.hpp"
+#include "tools/ros/import/level_scan.hpp"
 
 namespace adit {
 namespace {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/sensing/laser_scan.hpp"
 #include "tools/ros/bag/bag_reader.hpp"
 #include "tools/ros/import/frame_tree.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include <Eigen/LU>
@@ -102,6 +103,39 @@ TEST(ScanMatching, IsSureOfScansInQuickSuccession) {
     drive.step({0.1, 0.0, 0.1});
     EXPECT_FALSE(drive.matching().doubt());
   }
+}
+
+/// Error of the heading of a body that begins to turn, by the scans of a laser that turns once in
+/// 0.1 s, stated with this timing.
+double heading_error_of_slow_laser(const ScanTiming& stated) {
+  constexpr int kBeams = 360;
+  constexpr double kRateRad_s = 0.5;
+  const test::WallWorld room = test::crooked_room();
+  ScanMatchingParams params;
+  params.lasers.front.T_body_laser = {};
+  params.lasers.front.timing = stated;
+  ScanMatching matching(params);
+  ScanMatch match;
+  Pose2 T_odom_body;
+  for (int i = 0; i < 40; ++i) {
+    const double rate = kRateRad_s * std::clamp((i - 10) / 10.0, 0.0, 1.0);
+    LaserScan scan{kStart + i * 100'000, {}, -std::numbers::pi, 2.0 * std::numbers::pi / kBeams};
+    for (int beam = 0; beam < kBeams; ++beam) {
+      const double turned = rate * 0.1 * beam / kBeams;
+      const double bearing = scan.angle_min_rad + beam * scan.angle_step_rad;
+      const Pose2 T_world_body = T_odom_body * Pose2{0.0, 0.0, turned};
+      scan.ranges_m.push_back(static_cast<float>(
+          room.cast({0.5, 0.5}, T_world_body.theta + bearing, 80.0).value_or(90.0)));
+    }
+    match = matching.add_scan(LaserId::kFront, scan);
+    if (i < 39) T_odom_body = T_odom_body * Pose2{0.0, 0.0, 0.1 * rate};
+  }
+  return angle_diff(match.T_odom_body.theta, T_odom_body.theta);
+}
+
+TEST(ScanMatching, CorrectsSlowScansForTheMotionOfTheBody) {
+  EXPECT_GT(std::abs(heading_error_of_slow_laser({.mirror_hz = 1000.0, .mirror_turns = 1})), 0.015);
+  EXPECT_LT(std::abs(heading_error_of_slow_laser({.mirror_hz = 10.0, .mirror_turns = 1})), 0.004);
 }
 
 TEST(ScanMatching, StartsOdomAtTheFirstScan) {

@@ -29,6 +29,7 @@
 #include "tools/export/ros2/ros2_messages.hpp"
 #include "tools/ros/import/cloud_sequence_import.hpp"
 #include "tools/ros/import/clouds_on_poses.hpp"
+#include "tools/ros/import/level_scan.hpp"
 
 namespace adit {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/sensing/motion_correction.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

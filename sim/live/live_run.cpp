@@ -151,7 +151,7 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
     std::cout << to_yaml(params, kSimSection);
     return;
   }
-  const WorldDescription description = describe(world);
+  const WorldDescription description = describe(world, params.vehicle);
   const Site site(build_world(description));
 
   if (const auto advice = receive_buffer_advice(options.lcm_url)) {

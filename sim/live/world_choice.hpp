@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "common/types/vehicle.hpp"
 #include "sim/world/world_description.hpp"
 
 namespace CLI {
@@ -31,5 +32,9 @@ CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice);
 /// Throws as find_world() does, and std::invalid_argument for options of random mines with another
 /// world.
 WorldDescription describe(const WorldChoice& choice);
+
+/// The same for a vehicle: a random mine has its start beside the rails if their height is more
+/// than it climbs, where the tunnel has room there.
+WorldDescription describe(const WorldChoice& choice, const Vehicle& vehicle);
 
 }  // namespace adit

@@ -74,7 +74,7 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
   const SimulationParams params = load_simulation_params(options.config, options.faults);
   reject_process_faults(params.faults);
   std::vector<Waypoint> waypoints = read_waypoints(options.waypoints);
-  const WorldDescription world = describe(options.world);
+  const WorldDescription world = describe(options.world, params.vehicle);
   const Site site(build_world(world));
 
   const auto start = std::chrono::steady_clock::now();

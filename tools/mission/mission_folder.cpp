@@ -133,7 +133,8 @@ std::string supervisor_config() {
 
 MissionStart start_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   folder.require_new();
-  const WorldDescription world = describe(options.world);
+  const SimulationParams params = load_simulation_params(options.config, {});
+  const WorldDescription world = describe(options.world, params.vehicle);
   build_world(world);  // reports errors of the world here, not in the process of the simulator
   write_text_file(mission_config(options.config), folder.config());
   write_text_file(to_world_file(world), folder.world());

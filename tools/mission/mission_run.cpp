@@ -123,7 +123,8 @@ class MissionInProcess {
 MissionRunResult run_mission(const MissionRunOptions& options,
                              const std::function<void(const MissionProgress&)>& progress) {
   const MissionFolder folder(options.folder);
-  WorldDescription world = describe(options.world);
+  const SimulationParams params = load_simulation_params(options.config, {});
+  WorldDescription world = describe(options.world, params.vehicle);
   std::int64_t start_utime = kDriveStartUtime;
   std::optional<Eigen::Vector3d> first_start;
   if (options.resume) {

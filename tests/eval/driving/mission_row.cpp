@@ -14,6 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "sim/live/sim_config.hpp"
+#include "sim/live/world_choice.hpp"
 #include "sim/world/build_world.hpp"
 #include "tests/eval/markdown.hpp"
 #include "tests/support/scores/mission_log.hpp"
@@ -131,7 +133,9 @@ test::MissionScore run_row(const MissionRow& row, const MissionRowOptions& optio
   std::filesystem::remove_all(run.folder);
   const MissionRunResult result = run_mission(run);
   const test::MissionLog log = test::read_mission(run.folder / "run.lcmlog");
-  test::MissionScore score = test::MissionTruth(build_world(describe(row.world))).score(log);
+  const Vehicle vehicle = load_simulation_params(options.config, {}).vehicle;
+  test::MissionScore score =
+      test::MissionTruth(build_world(describe(row.world, vehicle))).score(log);
   score.wall_s = result.wall_s;
   if (!options.keep_log) std::filesystem::remove(run.folder / "run.lcmlog");
   return score;

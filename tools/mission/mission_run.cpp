@@ -31,11 +31,11 @@ constexpr std::int64_t kSpacePeriodUs = 1'000'000;  // of simulated time
 /// Simulator and all stages on one bus.
 class MissionInProcess {
  public:
-  MissionInProcess(const MissionRunOptions& options, const WorldDescription& world,
-                   const Site& site, std::int64_t start_utime)
+  MissionInProcess(const MissionRunOptions& options, const SimulationParams& params,
+                   const WorldDescription& world, const Site& site, std::int64_t start_utime)
       : options_(options),
         start_utime_(start_utime),
-        params_(load_simulation_params(options.config, options.faults)),
+        params_(params),
         log_(MissionFolder(options.folder).next_log(options.log_form), params_.record_free_min_mb),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
         sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), start_utime),
@@ -123,7 +123,7 @@ class MissionInProcess {
 MissionRunResult run_mission(const MissionRunOptions& options,
                              const std::function<void(const MissionProgress&)>& progress) {
   const MissionFolder folder(options.folder);
-  const SimulationParams params = load_simulation_params(options.config, {});
+  const SimulationParams params = load_simulation_params(options.config, options.faults);
   WorldDescription world = describe(options.world, params.vehicle);
   std::int64_t start_utime = kDriveStartUtime;
   std::optional<Eigen::Vector3d> first_start;
@@ -136,7 +136,7 @@ MissionRunResult run_mission(const MissionRunOptions& options,
   }
   const Site site(build_world(world));
   const auto start = std::chrono::steady_clock::now();
-  MissionInProcess mission(options, world, site, start_utime);
+  MissionInProcess mission(options, params, world, site, start_utime);
   if (first_start) mission.set_start(*first_start);
   MissionRunResult result = mission.run(progress);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

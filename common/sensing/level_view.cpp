@@ -10,6 +10,8 @@
 
 #include <Eigen/Geometry>
 
+#include "common/sensing/range_on_line.hpp"
+
 namespace adit {
 namespace {
 
@@ -26,12 +28,6 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// From 0 to a turn.
 double wrapped(double rad) { return rad - kTurn * std::floor(rad / kTurn); }
-
-/// Range of the line through two points in a plane through the lidar, given by their ranges and
-/// their angles from the beam: 1 / r is A cos φ + B sin φ along a line.
-double on_line_m(double r1, double below_rad, double r2, double above_rad) {
-  return std::sin(below_rad + above_rad) / (std::sin(above_rad) / r1 + std::sin(below_rad) / r2);
-}
 
 }  // namespace
 
@@ -152,7 +148,7 @@ double LevelView::range_m(const LidarRevolution& revolution, const Beam& beam) c
   const double rise_m = r2 * std::sin(above_rad);
   if (is_plane) {
     const double apart_m = std::abs(r2 * std::cos(above_rad) - r1 * std::cos(below_rad));
-    const double range_m = on_line_m(r1, below_rad, r2, above_rad);
+    const double range_m = range_on_line_m(r1, below_rad, r2, above_rad);
     if (apart_m <= kSurfaceSlope * (drop_m + rise_m) &&
         (range_m <= kObstacleReachM || is_steep(revolution, beam, r1, r2)))
       return range_m;

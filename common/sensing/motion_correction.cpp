@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "common/geometry/pose2.hpp"
+#include "common/sensing/range_on_line.hpp"
 
 namespace adit {
 namespace {
@@ -46,7 +47,7 @@ double on_line_m(const SeenBeam& a, const SeenBeam& b, double bearing_rad) {
   const double before = bearing_rad - a.bearing_rad;
   const double after = b.bearing_rad - bearing_rad;
   if (before + after < 1e-9) return a.range_m;
-  return std::sin(before + after) / (std::sin(after) / a.range_m + std::sin(before) / b.range_m);
+  return range_on_line_m(a.range_m, before, b.range_m, after);
 }
 
 /// Whether both ends of beams lie on one surface: their ranges hardly differ, or differ as those of
@@ -86,18 +87,13 @@ class Surfaces {
 
 }  // namespace
 
-bool takes_long(const LaserScan& scan, const ScanTiming& timing) {
-  const auto beams = static_cast<int>(scan.ranges_m.size());
-  return timing.last_beam_time_s(beams, scan.angle_step_rad) > kLongS;
-}
-
 StillScan without_motion(const LaserScan& scan, const LaserMount& mount,
                          const Eigen::Vector3d& velocity) {
   const auto beams = static_cast<std::int32_t>(scan.ranges_m.size());
   const double last_s = mount.timing.last_beam_time_s(beams, scan.angle_step_rad);
   const double moved_m = last_s * (velocity.head<2>().norm() + kFarM * std::abs(velocity.z()));
   const bool is_valid = velocity.allFinite() && scan.angle_step_rad > 0.0;
-  if (!is_valid || !takes_long(scan, mount.timing) || moved_m < kStillM) return {scan, {}};
+  if (!is_valid || last_s <= kLongS || moved_m < kStillM) return {scan, {}};
   std::vector<SeenBeam> seen;
   for (std::int32_t beam = 0; beam < beams; ++beam) {
     const double time_s = mount.timing.beam_time_s(beam, beams, scan.angle_step_rad);

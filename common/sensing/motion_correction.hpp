@@ -25,16 +25,12 @@ struct StillScan {
   }
 };
 
-/// Whether the beams of a scan are measured over so long a time that the motion of the body counts:
-/// over more than 30 ms, in which a body drives 15 mm at 0.5 m/s. A SICK LMS-200 takes 7 to 20 ms,
-/// a lidar at 20 Hz 50 ms, one at 7 Hz 140 ms.
-bool takes_long(const LaserScan& scan, const ScanTiming& timing);
-
 /// The scan that the laser would have measured from where it was at LaserScan::utime, at the same
 /// bearings, for a body that moves at a constant `velocity`: of (x, y, θ) in the body frame [m/s,
 /// m/s, rad/s]. Between two returns of one surface its ranges are those of the straight line
 /// through them, elsewhere that of the nearest beam; NaN where none points within a beam's width.
-/// A scan that does not take long (`takes_long`) is returned as measured.
+/// A scan of less than 30 ms, in which a body drives 15 mm at 0.5 m/s, is returned as measured: a
+/// SICK LMS-200 takes 7 to 20 ms, a lidar at 20 Hz 50 ms, one at 7 Hz 140 ms.
 StillScan without_motion(const LaserScan& scan, const LaserMount& mount,
                          const Eigen::Vector3d& velocity);
 

@@ -2,17 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/local_map_builder.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include <Eigen/LU>
 
+#include "common/sensing/motion_correction.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
+namespace {
 
-LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_id, int session)
-    : params_(params), error_(params.error) {
+constexpr double kSlowestS = 0.5;  // between two scans of which the motion is a velocity
+
+/// Of (x, y, θ) in the body frame, by the motion since the scan before.
+Eigen::Vector3d velocity(const ScanMatch& match) {
+  const double duration_s = seconds(match.utime - match.reference_utime);
+  const bool is_known = match.reference_utime != 0 && duration_s > 0.0 && duration_s < kSlowestS;
+  if (!is_known) return Eigen::Vector3d::Zero();
+  return match.T_reference_body.vector() / duration_s;
+}
+
+}  // namespace
+
+LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, LaserMounts mounts,
+                                 int first_id, int session)
+    : params_(params), mounts_(std::move(mounts)), error_(params.error) {
   map_.id = first_id;
   map_.session = session;
   continues_ = session > 0;
@@ -90,6 +107,35 @@ bool LocalMapBuilder::moved_enough(const std::string& channel, const Pose2& T_od
          std::abs(moved.theta) >= params_.keyframe_angle_rad;
 }
 
+/// Without ground, and as if all beams were measured at one time.
+LocalScan LocalMapBuilder::local_scan(const std::string& channel, const LaserScan& scan,
+                                      const ScanMatch& match) const {
+  const Pose2 T_local_body =
+      map_.scans.empty() ? Pose2{} : between(map_.T_odom_local, match.T_odom_body);
+  LocalScan stored{channel,
+                   scan,
+                   T_local_body,
+                   match.z_m - map_.z_odom_m,
+                   match.attitude,
+                   match.unconfirmed_beams,
+                   match.attitude_from_ground};
+  for (const std::int32_t beam : match.ground_beams) {
+    const auto i = static_cast<std::size_t>(beam);
+    if (i < stored.scan.ranges_m.size()) stored.scan.ranges_m[i] = 0.0F;
+  }
+  const auto mount = mounts_.find(channel);
+  if (mount == mounts_.end()) return stored;
+  StillScan still = without_motion(stored.scan, mount->second, velocity(match));
+  if (still.beam_of.empty()) return stored;
+  stored.scan = std::move(still.scan);
+  stored.unconfirmed_beams.clear();
+  for (std::size_t beam = 0; beam < still.beam_of.size(); ++beam) {
+    if (std::ranges::binary_search(match.unconfirmed_beams, still.beam_of[beam]))
+      stored.unconfirmed_beams.push_back(static_cast<std::int32_t>(beam));
+  }
+  return stored;
+}
+
 void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& scan,
                                  const ScanMatch& match) {
   const Pose2& T_odom_body = match.T_odom_body;
@@ -107,19 +153,7 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
     map_.T_odom_local = T_odom_body;
     map_.z_odom_m = match.z_m;
   }
-  const Pose2 T_local_body = map_.scans.empty() ? Pose2{} : between(map_.T_odom_local, T_odom_body);
-  LocalScan stored{channel,
-                   scan,
-                   T_local_body,
-                   match.z_m - map_.z_odom_m,
-                   match.attitude,
-                   match.unconfirmed_beams,
-                   match.attitude_from_ground};
-  for (const std::int32_t beam : match.ground_beams) {
-    const auto i = static_cast<std::size_t>(beam);
-    if (i < stored.scan.ranges_m.size()) stored.scan.ranges_m[i] = 0.0F;
-  }
-  map_.scans.push_back(std::move(stored));
+  map_.scans.push_back(local_scan(channel, scan, match));
 }
 
 void LocalMapBuilder::begin(const Pose2& T_odom_local) {

@@ -12,6 +12,7 @@
 #include "common/types/local_map.hpp"
 #include "procs/mapping/association/odometry_chain.hpp"
 #include "procs/mapping/displacement_error.hpp"
+#include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/wheel_steps.hpp"
 
 namespace adit {
@@ -47,8 +48,11 @@ struct LocalMapBuilderParams {
 /// localised before the body moves.
 class LocalMapBuilder {
  public:
-  /// `first_id`, `session`: of the first local map; not 0 if earlier maps exist.
-  explicit LocalMapBuilder(const LocalMapBuilderParams& params, int first_id = 0, int session = 0);
+  /// `mounts`: of lasers whose scans are corrected for the motion of the body if they take long
+  /// (`without_motion`). `first_id`, `session`: of the first local map; not 0 if earlier maps
+  /// exist.
+  explicit LocalMapBuilder(const LocalMapBuilderParams& params, LaserMounts mounts = {},
+                           int first_id = 0, int session = 0);
 
   /// Adds a reading of the wheels, with which the displacements by scan matching are compared.
   void add(const WheelOdometry& reading) { wheels_.add(reading); }
@@ -84,11 +88,14 @@ class LocalMapBuilder {
   [[nodiscard]] bool first_map_due(std::int64_t utime) const;
   [[nodiscard]] bool split_due();
   [[nodiscard]] bool moved_enough(const std::string& channel, const Pose2& T_odom_body) const;
+  [[nodiscard]] LocalScan local_scan(const std::string& channel, const LaserScan& scan,
+                                     const ScanMatch& match) const;
   void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
   LocalMap end();
 
   LocalMapBuilderParams params_;
+  LaserMounts mounts_;
   DisplacementError error_;
   WheelSteps wheels_;
   LocalMap map_;

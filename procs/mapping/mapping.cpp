@@ -12,7 +12,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "common/sensing/motion_correction.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -40,8 +39,7 @@ const Eigen::Vector3d kInconsistencySd(0.2, 0.2, 0.02);
 constexpr double kDeformationShare = 1.0 / 3.0;
 // A body that rests near home is localised by what it saw over this last distance.
 constexpr double kSeenAtRestM = 1.0;
-constexpr double kRestS = 2.0;     // without a stored scan
-constexpr double kSlowestS = 0.5;  // between two scans of which the motion is a velocity
+constexpr double kRestS = 2.0;  // without a stored scan
 constexpr double kNearHomeM = 5.0;
 constexpr double kBesideM = 5.0;   // walls farther beside a map than this are not its own
 constexpr double kSureSdM = 0.05;  // a smaller standard deviation needs no improvement
@@ -96,7 +94,7 @@ Cloud from_one_place(const Cloud& cloud) {
 Mapping::Mapping(const MappingParams& params)
     : params_(params),
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
-      builder_(builder_params(params)),
+      builder_(builder_params(params), mounts_),
       association_(params.association),
       maps_(params.scratch),
       walls_(params.scratch),
@@ -119,8 +117,8 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
     update_covariance_from_first();
     update_contradictions();
   }
-  builder_ =
-      LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
+  builder_ = LocalMapBuilder(builder_params(params_), mounts_, maps_.back().id + 1,
+                             maps_.back().session + 1);
   odom_ = Odom::kRestored;
   odom_continues_ = true;
   return update;
@@ -150,10 +148,7 @@ void Mapping::restart_time() {
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
   update_odom(match);
-  const auto mount = mounts_.find(channel);
-  const bool is_slow = mount != mounts_.end() && takes_long(scan, mount->second.timing);
-  auto map = is_slow ? add_without_motion(channel, scan, mount->second, match)
-                     : builder_.add(channel, scan, match);
+  auto map = builder_.add(channel, scan, match);
   if (new_cloud_) place_cloud();
   if (map) return add_local_map(std::move(*map));
   const std::vector<LocalScan>& scans = builder_.current().scans;
@@ -167,32 +162,6 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
     localise_at_rest();
   }
   return std::nullopt;
-}
-
-/// Local maps hold scans that are measured at one time.
-std::optional<LocalMap> Mapping::add_without_motion(const std::string& channel,
-                                                    const LaserScan& scan, const LaserMount& mount,
-                                                    const ScanMatch& match) {
-  LaserScan walls = scan;
-  for (const std::int32_t beam : match.ground_beams) {
-    const auto i = static_cast<std::size_t>(beam);
-    if (i < walls.ranges_m.size()) walls.ranges_m[i] = 0.0F;
-  }
-  const double duration_s = seconds(match.utime - match.reference_utime);
-  const bool is_known = match.reference_utime != 0 && duration_s > 0.0 && duration_s < kSlowestS;
-  const StillScan still =
-      without_motion(walls, mount,
-                     is_known ? Eigen::Vector3d(match.T_reference_body.vector() / duration_s)
-                              : Eigen::Vector3d::Zero());
-  ScanMatch of_still = match;
-  of_still.ground_beams.clear();
-  of_still.unconfirmed_beams.clear();
-  for (std::int32_t beam = 0; beam < static_cast<std::int32_t>(still.beam_of.size()); ++beam) {
-    if (std::ranges::binary_search(match.unconfirmed_beams, still.measured_beam(beam)))
-      of_still.unconfirmed_beams.push_back(beam);
-  }
-  if (still.beam_of.empty()) of_still.unconfirmed_beams = match.unconfirmed_beams;
-  return builder_.add(channel, still.scan, of_still);
 }
 
 void Mapping::add(const Cloud& cloud) {

@@ -159,8 +159,6 @@ class Mapping : private Evidence {
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
 
  private:
-  std::optional<LocalMap> add_without_motion(const std::string& channel, const LaserScan& scan,
-                                             const LaserMount& mount, const ScanMatch& match);
   MapUpdate add_local_map(LocalMap map);
   void localise_at_rest();
   [[nodiscard]] LocalMap map_at_body() const;

@@ -159,7 +159,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   const StillScan still = without_motion(scan, mount_of(laser), velocity(scan.utime, expected));
   ScanObservation observation = observe(laser, still.scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
-  match.ground_beams = measured_beams(still, observation.ground_beams);
+  match.ground_beams = measured_beams(still, std::move(observation.ground_beams));
   PoseSearchResult found;
   const bool has_reference = reference_.has_laser(laser);
   if (has_reference) {

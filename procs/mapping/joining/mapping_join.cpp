@@ -103,7 +103,8 @@ RunJoin Mapping::join(const Mapping& run, const RunJoinParams& params) {
     update_heights();
     return join;
   }
-  builder_ = LocalMapBuilder(params_.local_maps, maps_.back().id + 1, maps_.back().session + 1);
+  builder_ =
+      LocalMapBuilder(params_.local_maps, mounts_, maps_.back().id + 1, maps_.back().session + 1);
   odom_ = Odom::kRestored;
   odom_continues_ = false;
   end_is_lost_ = end_is_lost_ || run.end_is_lost_;

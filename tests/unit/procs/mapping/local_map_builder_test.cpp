@@ -20,7 +20,7 @@ const std::string kRear = "LASER_REAR";
 /// Feeds the builder with scans matched at given poses.
 class Feed {
  public:
-  explicit Feed(int first_id = 0, int session = 0) : builder_({}, first_id, session) {}
+  explicit Feed(int first_id = 0, int session = 0) : builder_({}, {}, first_id, session) {}
 
   void step(const Pose2& motion, Status status = Status::kMatched,
             const std::string& channel = kFront) {

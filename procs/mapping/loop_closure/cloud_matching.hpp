@@ -39,8 +39,8 @@ struct CloudMatchingParams {
   /// displacement, and of the tilt of two level frames.
   double displacement_variance_share = 0.25;
   double tilt_variance_share = 0.2;
-  /// Of both, and of the attitude, for a spinning lidar: its few rings show the surfaces along lines
-  /// only, and gravity is measured for one second instead of a sweep.
+  /// Of both, and of the attitude, for a spinning lidar: its few rings show the surfaces along
+  /// lines only, and gravity is measured for one second instead of a sweep.
   double lidar_variance_factor = 9.0;
   /// Cosine between the mean directions of view of two 3D scans. Below, they look at each other:
   /// each sees the sides of the same stones that the other does not, and errs by up to 0.4 m.

@@ -26,9 +26,6 @@ namespace {
 
 using Level = Health::Level;
 
-constexpr double kCoreShareMax = 0.03;
-
-// On a busy machine the emulator itself is late.
 constexpr double kStampErrorMaxMs = 10.0;
 
 /// Distances between those that are codes of one of the lasers.
@@ -52,8 +49,8 @@ TEST(SickLms2xxLive, PublishesScansThroughAllThatHappensToALaser) {
   laser.power_on(wall_utime());
   ASSERT_TRUE(live.more_readings_arrive(1));
   ASSERT_TRUE(live.has_health(Level::kOk)) << live.health->reason;
-  EXPECT_LT(live.core_share(400), kCoreShareMax);
-  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  EXPECT_LT(live.core_share(400), kBusyLoopShare);
+  EXPECT_LT(std::abs(live.stamp_error_ms()), kStampErrorMaxMs);
 
   line.corrupt_share = 0.002;  // half of the telegrams
   ASSERT_TRUE(live.more_readings_arrive(100));
@@ -82,8 +79,8 @@ TEST(ScipLive, PublishesScansByTcpAndConnectsAgain) {
   live.start(ADIT_SCIP, "front", fmt::format("scip_front: {{device: \"{}\"}}\n", line.address()));
   ASSERT_TRUE(live.more_readings_arrive(1));
   ASSERT_TRUE(live.has_health(Level::kOk)) << live.health->reason;
-  EXPECT_LT(live.core_share(200), kCoreShareMax);
-  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  EXPECT_LT(live.core_share(200), kBusyLoopShare);
+  EXPECT_LT(std::abs(live.stamp_error_ms()), kStampErrorMaxMs);
 
   line.disconnect();
   ASSERT_TRUE(live.more_readings_arrive(50));
@@ -160,7 +157,7 @@ void run_howto(std::vector<std::string> command) {
   live.start(command);
   ASSERT_TRUE(live.more_readings_arrive(20));
   ASSERT_TRUE(live.has_health(Level::kOk));
-  EXPECT_LT(std::abs(live.stamp_error_ms), kStampErrorMaxMs);
+  EXPECT_LT(std::abs(live.stamp_error_ms()), kStampErrorMaxMs);
   laser.line().unplug();
   ASSERT_TRUE(live.has_health(Level::kFault, "no scans"));
   laser.line().plug();

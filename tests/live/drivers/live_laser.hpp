@@ -42,7 +42,7 @@ class LiveLaser : public LiveDriver<Line> {
     }
     this->wrong += right ? 0 : 1;
     if (right)
-      this->stamp_error_ms = 1e-3 * static_cast<double>(scan.utime - laser_.scan_start(number));
+      this->add_stamp_error(1e-3 * static_cast<double>(scan.utime - laser_.scan_start(number)));
   }
 
   Emulator& laser_;

@@ -38,6 +38,10 @@ struct MapCorrection {
   friend bool operator==(const MapCorrection&, const MapCorrection&) = default;
 };
 
+/// When a loop closure moves odom in map, what was driven longer ago than this keeps its place in
+/// map, and what was driven since that in odom: the path length of the newest two local maps [m].
+inline constexpr double kKeepsPlaceInOdomM = 10.0;
+
 /// Largest standard deviation of the position over all directions [m], of a covariance of (x, y,
 /// θ).
 inline double position_sd_m(const Eigen::Matrix3d& covariance) {

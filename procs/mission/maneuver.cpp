@@ -21,6 +21,7 @@ constexpr double kUnscannedMaxM = 30.0;   // driven along the traversed path bet
 constexpr double kTransitMinM = 4.0;      // less is not worth a path of its own
 constexpr double kTransitHomeMinM = 1.0;  // to the end of the traversed path
 constexpr double kTransitEndM = 1.5;      // before the route leaves the traversed path
+constexpr double kPoseSpacingM = 0.2;     // of the traversed path
 constexpr double kRejoinViewM = 10.0;     // poses beyond the rejoin length that planning may reach
 
 using GoalKind = PlanGoal::Kind;
@@ -41,6 +42,17 @@ std::vector<Eigen::Vector2d> first_part_of(const std::vector<Eigen::Vector2d>& l
     const double leg_m = leg.norm();
     first.push_back(leg_m > left_m ? line[i - 1] + left_m / leg_m * leg : line[i]);
     left_m -= leg_m;
+  }
+  return first;
+}
+
+/// The first poses, over this path length at most or just beyond.
+std::vector<Pose2> first_part_of(const std::vector<Pose2>& path, double length_m) {
+  std::vector<Pose2> first{path.front()};
+  double left_m = length_m;
+  for (std::size_t i = 1; i < path.size() && left_m > 0.0; ++i) {
+    left_m -= (path[i].translation() - path[i - 1].translation()).norm();
+    first.push_back(path[i]);
   }
   return first;
 }
@@ -163,27 +175,24 @@ std::optional<double> Retracing::rejoin_length_m(const TraversedPath& path,
 }
 
 /// The ground has carried the robot, and the guard sees what has changed since.
-std::optional<double> Retracing::transit_length_m(const TraversedPath& path,
-                                                  const std::vector<Eigen::Vector2d>& route_odom,
-                                                  double unscanned_m,
-                                                  bool ends_at_route_end) const {
+std::optional<Rejoin> Retracing::transit(const TraversedPath& path,
+                                         const std::vector<Eigen::Vector2d>& route_odom,
+                                         double unscanned_m, bool ends_at_route_end,
+                                         bool may_reverse) const {
   if (failed_) return std::nullopt;
-  const double shared_m = path.shared_length_m(route_odom);
-  const bool to_end = ends_at_route_end && shared_m >= length_of_line_m(route_odom);
+  const auto known = path.known_part(route_odom, may_reverse);
+  const double known_m = length_of_path_m(known.path_odom);
+  const bool to_end =
+      ends_at_route_end && known.along_m >= length_of_line_m(route_odom) - kPoseSpacingM;
   const double left_m = kUnscannedMaxM - unscanned_m;
   // The scan for a rest that is shorter than any transit would take longer than its drive.
-  if (to_end && shared_m >= kTransitHomeMinM && shared_m <= left_m + kTransitMinM) return shared_m;
-  const double length_m = std::min(to_end ? shared_m : shared_m - kTransitEndM, left_m);
-  if (length_m < kTransitMinM) return std::nullopt;
-  return length_m;
-}
-
-Rejoin Retracing::transit(const TraversedPath& path, double length_m) {
-  return {PlanGoal::Kind::kRetrace, length_m, path.back(length_m), std::nullopt};
-}
-
-Rejoin Retracing::transit_over_scan(const TraversedPath& path, double length_m) {
-  return {PlanGoal::Kind::kRejoin, length_m, path.back(length_m), std::nullopt};
+  const bool in_one = to_end && known_m <= left_m + kTransitMinM;
+  const double length_m =
+      in_one ? known_m : std::min(to_end ? known_m : known_m - kTransitEndM, left_m);
+  if (std::min(length_m, known.along_m) < (in_one ? kTransitHomeMinM : kTransitMinM))
+    return std::nullopt;
+  return Rejoin{PlanGoal::Kind::kRetrace, length_m, first_part_of(known.path_odom, length_m),
+                std::nullopt};
 }
 
 BackOff Retracing::back_off(const TraversedPath& path, double distance_m,

@@ -96,17 +96,14 @@ class Retracing {
       const TraversedPath& path, const std::vector<Eigen::Vector2d>& route_odom,
       bool returning_home) const;
 
-  /// Length that the robot drives along the traversed path towards its target without a new 3D
-  /// scan; empty if it must scan here. `unscanned_m`: driven since the last scan.
-  /// `ends_at_route_end`: no ground beyond the end of the route is needed.
-  [[nodiscard]] std::optional<double> transit_length_m(
-      const TraversedPath& path, const std::vector<Eigen::Vector2d>& route_odom, double unscanned_m,
-      bool ends_at_route_end) const;
-  /// Along the traversed path pose by pose, without terrain.
-  [[nodiscard]] static Rejoin transit(const TraversedPath& path, double length_m);
-  /// The same after a scan: over its terrain first, then along the traversed path. A path beside
-  /// the traversed one would end the transit, and each further path need a scan.
-  [[nodiscard]] static Rejoin transit_over_scan(const TraversedPath& path, double length_m);
+  /// Drives along the part of a route that the robot has driven before, pose by pose and without a
+  /// new 3D scan; empty if it must scan here. `unscanned_m`: driven since the last scan.
+  /// `ends_at_route_end`: no ground beyond the end of the route is needed. `may_reverse`: the robot
+  /// sees behind itself.
+  [[nodiscard]] std::optional<Rejoin> transit(const TraversedPath& path,
+                                              const std::vector<Eigen::Vector2d>& route_odom,
+                                              double unscanned_m, bool ends_at_route_end,
+                                              bool may_reverse) const;
 
   /// `present`: the maneuver that is interrupted.
   [[nodiscard]] BackOff back_off(const TraversedPath& path, double distance_m,

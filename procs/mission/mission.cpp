@@ -256,32 +256,23 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
                             : phase_.laser;
   const double unscanned_m =
       localization_.traversed_path().distance_travelled_m() - inputs_.terrain_distance_m;
-  target_.lies_back = transit_length_m(0.0).has_value();
-  if (const auto length_m = transit_length_m(unscanned_m)) {
+  target_.is_known = transit(0.0).has_value();
+  if (auto known = transit(unscanned_m)) {
     phase_.laser = laser;
-    begin(Retracing::transit(localization_.traversed_path(), *length_m),
-          reason + ", back along the traversed path");
+    begin(std::move(*known), reason + ", where the robot has driven before");
   } else {
     request_scan(laser, reason);
   }
 }
 
-/// Where the route follows the traversed path the robot needs no scan, unless one is due or a
-/// rejection must be investigated. `unscanned_m`: driven since the last scan.
-std::optional<double> Mission::transit_length_m(double unscanned_m) const {
+/// Where the robot has driven before it needs no scan, unless one is due or a rejection must be
+/// investigated. `unscanned_m`: driven since the last scan. Backwards a robot without a rear laser
+/// would drive blind: it plans a path to turn round, and retraces only if there is none.
+std::optional<Rejoin> Mission::transit(double unscanned_m) const {
   const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
   if (target_.is_straight_ahead || recovery_.rejections() > 0 || !has_terrain) return std::nullopt;
-  if (must_turn_round()) return std::nullopt;
-  return retracing_.transit_length_m(localization_.traversed_path(), target_.route_odom,
-                                     unscanned_m, home_arrival_.is_end_of_route());
-}
-
-/// Back along the traversed path a robot without a rear laser would drive blind: it plans a path to
-/// turn round, and retraces only if there is none.
-bool Mission::must_turn_round() const {
-  const auto& T_odom_body = localization_.T_odom_body();
-  if (params_.lasers.sees_behind() || !T_odom_body || target_.route_odom.empty()) return false;
-  return laser_facing(target_.route_odom, *T_odom_body, LaserId::kFront) == LaserId::kRear;
+  return retracing_.transit(localization_.traversed_path(), target_.route_odom, unscanned_m,
+                            home_arrival_.is_end_of_route(), params_.lasers.sees_behind());
 }
 
 /// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
@@ -320,8 +311,12 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
-  const auto length_m = target_.lies_back ? transit_length_m(0.0) : std::nullopt;
-  if (length_m) maneuver_ = Retracing::transit_over_scan(localization_.traversed_path(), *length_m);
+  // Over the terrain of the scan first, then along driven ground. A path beside that would end the
+  // transit, and each further path need a scan.
+  if (auto known = target_.is_known ? transit(0.0) : std::nullopt) {
+    known->kind = PlanGoal::Kind::kRejoin;
+    maneuver_ = std::move(*known);
+  }
 }
 
 void Mission::add_path(const PlannedPath& path) {

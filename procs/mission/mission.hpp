@@ -118,7 +118,7 @@ class Mission {
   struct Target {
     std::vector<Eigen::Vector2d> route_odom;
     bool is_straight_ahead = false;  ///< not chosen by exploration
-    bool lies_back = false;          ///< along the traversed path, when the last scan was requested
+    bool is_known = false;           ///< it began on driven ground when the last scan was requested
   };
 
   void set_time(std::int64_t utime);
@@ -140,10 +140,9 @@ class Mission {
   void set_target(const ExplorationReport& report);
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
-  [[nodiscard]] std::optional<double> transit_length_m(double unscanned_m) const;
+  [[nodiscard]] std::optional<Rejoin> transit(double unscanned_m) const;
   void request_scan(LaserId laser, const std::string& reason);
   [[nodiscard]] LaserId other_laser() const;
-  [[nodiscard]] bool must_turn_round() const;
   void handle_arrival();
   void handle_failed_drive(const std::string& reason);
 

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "common/journal/journal.hpp"
+#include "common/pose_graph/map_correction.hpp"
 #include "common/types/planned_path.hpp"
 
 namespace adit {
@@ -14,31 +16,19 @@ namespace {
 
 constexpr double kSpacingM = 0.2;  // of poses; more than the pose noise of a standing robot
 constexpr double kSpacingRad = 0.1;
-// Tolerance of equal poses: half the distance of stored poses along the path, beside it the
-// accuracy of driving.
-constexpr double kSameAlongM = 0.15;
-constexpr double kSameBesideM = 0.1;
-constexpr double kSameRad = 0.1;
-constexpr double kSameLevelM = 2.5;     // heights of the body on one level differ by less
-constexpr double kNewestMapsM = 10.0;   // path length of the newest two local maps
 constexpr std::size_t kRecentMax = 40;  // poses, 8 m
-constexpr double kLateralMaxM = 1.0;    // of a route that follows the path
-constexpr double kDetourMaxM = 2.0;     // of the path against the route, between two route points
 
-bool is_same(const Pose2& T_odom_a, const Pose2& T_odom_b) {
-  const Pose2 T_a_b = between(T_odom_a, T_odom_b);
-  return std::abs(T_a_b.x) < kSameAlongM && std::abs(T_a_b.y) < kSameBesideM &&
-         std::abs(T_a_b.theta) < kSameRad;
-}
-
-/// The poses from the newest on, over this path length at most.
-template <class Poses>
-std::vector<Pose2> backwards(const Pose2& T_odom_body, const Poses& poses, double length_m) {
+/// From the body over the poses of elements, the last one first, over this path length at most.
+template <class Elements, class PoseOf>
+std::vector<Pose2> backwards(const Pose2& T_odom_body, const Elements& elements, double length_m,
+                             const PoseOf& pose_of) {
   std::vector<Pose2> path{T_odom_body};
   double path_length_m = 0.0;
-  for (auto pose = poses.rbegin(); pose != poses.rend() && path_length_m < length_m; ++pose) {
-    path_length_m += (pose->translation() - path.back().translation()).norm();
-    path.push_back(*pose);
+  for (auto element = elements.rbegin(); element != elements.rend() && path_length_m < length_m;
+       ++element) {
+    const Pose2& pose = pose_of(*element);
+    path_length_m += (pose.translation() - path.back().translation()).norm();
+    path.push_back(pose);
   }
   return path;
 }
@@ -66,17 +56,21 @@ bool TraversedPath::add(std::int64_t utime, const Pose2& T_odom_body, double z_o
   utime_ = utime;
   T_odom_body_ = T_odom_body;
   z_odom_m_ = z_odom_m;
-  if (!poses_.empty()) {
-    const Pose2 step = between(poses_.back(), T_odom_body);
+  if (!trail_.empty()) {
+    const Pose2 step = between(ground_.pose(trail_.back()), T_odom_body);
     const double path_length_m = step.translation().norm();
     if (path_length_m < kSpacingM && std::abs(step.theta) < kSpacingRad) return false;
     distance_travelled_m_ += path_length_m;
   }
-  const auto same = std::find_if(poses_.begin(), poses_.end(), [&](const Place& stored) {
-    return std::abs(stored.z_m - z_odom_m) < kSameLevelM && is_same(stored, T_odom_body);
-  });
-  poses_.erase(same, poses_.end());
-  poses_.push_back({T_odom_body, z_odom_m});
+  const DrivenPose pose{T_odom_body, z_odom_m};
+  const auto same = std::ranges::find_if(
+      trail_, [&](std::size_t node) { return is_same(ground_.pose(node), pose); });
+  const bool is_on_trail = same != trail_.end();
+  const std::size_t node = is_on_trail ? *same : ground_.add(pose, distance_travelled_m_);
+  if (is_on_trail) ground_.update(node, pose, distance_travelled_m_);
+  if (!trail_.empty()) ground_.connect(trail_.back(), node);
+  trail_.erase(same, trail_.end());
+  trail_.push_back(node);
   recent_.push_back(T_odom_body);
   if (recent_.size() > kRecentMax) recent_.pop_front();
   return true;
@@ -86,39 +80,45 @@ void TraversedPath::reset(const std::optional<Pose2>& T_map_odom, double z_map_o
   T_odom_body_.reset();
   recent_.clear();
   if (T_map_odom) {
-    for (const Place& place : poses_)
-      previous_map_poses_.push_back({*T_map_odom * place, z_map_odom_m + place.z_m});
+    ground_.move(*T_map_odom, z_map_odom_m);
+    prepend_previous();
+    previous_ground_ = std::move(ground_);
+    previous_trail_ = std::move(trail_);
   }
-  poses_.clear();
+  ground_ = {};
+  trail_.clear();
 }
 
 void TraversedPath::anchor(const Pose2& T_map_odom, double z_map_odom_m) {
-  const Pose2 T_odom_map = T_map_odom.inverse();
-  std::vector<Place> previous;
-  for (const Place& place : previous_map_poses_)
-    previous.push_back({T_odom_map * place, place.z_m - z_map_odom_m});
-  poses_.insert(poses_.begin(), previous.begin(), previous.end());
-  previous_map_poses_.clear();
+  previous_ground_.move(T_map_odom.inverse(), -z_map_odom_m);
+  prepend_previous();
+}
+
+/// In the frame of the present ground. The robot is taken to have stood between both.
+void TraversedPath::prepend_previous() {
+  ground_.prepend(previous_ground_);
+  for (std::size_t& node : trail_) node += previous_ground_.size();
+  if (!previous_trail_.empty() && !trail_.empty())
+    ground_.connect(previous_trail_.back(), trail_.front());
+  trail_.insert(trail_.begin(), previous_trail_.begin(), previous_trail_.end());
+  previous_ground_ = {};
+  previous_trail_.clear();
 }
 
 void TraversedPath::correct(const Pose2& T_after_before, double z_after_before_m) {
-  double path_length_m = 0.0;
-  for (std::size_t i = poses_.size(); i-- > 0;) {
-    if (i + 1 < poses_.size())
-      path_length_m += (poses_[i].translation() - poses_[i + 1].translation()).norm();
-    if (path_length_m > kNewestMapsM)
-      poses_[i] = {T_after_before * poses_[i], z_after_before_m + poses_[i].z_m};
-  }
+  ground_.move(T_after_before, z_after_before_m, distance_travelled_m_ - kKeepsPlaceInOdomM);
 }
 
 std::vector<Pose2> TraversedPath::back(double length_m) const {
   if (!T_odom_body_) return {};
-  return backwards(*T_odom_body_, poses_, length_m);
+  return backwards(*T_odom_body_, trail_, length_m,
+                   [&](std::size_t node) -> const Pose2& { return ground_.pose(node); });
 }
 
 std::vector<Pose2> TraversedPath::recent(double length_m) const {
   if (!T_odom_body_) return {};
-  return backwards(*T_odom_body_, recent_, length_m);
+  return backwards(*T_odom_body_, recent_, length_m,
+                   [](const Pose2& pose) -> const Pose2& { return pose; });
 }
 
 double TraversedPath::back_length_m(double length_m) const {
@@ -136,30 +136,37 @@ std::vector<Pose2> TraversedPath::poses_back_within(double distance_m) const {
   if (!T_odom_body_) return {};
   std::vector<Pose2> path{*T_odom_body_};
   const Eigen::Vector2d p_odom_body = T_odom_body_->translation();
-  for (auto pose = poses_.rbegin(); pose != poses_.rend(); ++pose) {
+  for (auto node = trail_.rbegin(); node != trail_.rend(); ++node) {
+    const DrivenPose& pose = ground_.pose(*node);
     if (path.size() == PlanGoal::kPointsMax) break;
-    if (std::abs(pose->z_m - z_odom_m_) >= kSameLevelM) continue;
-    if ((pose->translation() - p_odom_body).norm() <= distance_m) path.push_back(*pose);
+    if (!is_same_level(pose.z_m, z_odom_m_)) continue;
+    if ((pose.translation() - p_odom_body).norm() <= distance_m) path.push_back(pose);
   }
   return path;
 }
 
 double TraversedPath::shared_length_m(const std::vector<Eigen::Vector2d>& route_odom) const {
-  double shared_length_m = 0.0;
-  auto nearest = poses_.rbegin();
-  for (std::size_t i = 1; i < route_odom.size() && nearest != poses_.rend(); ++i) {
-    const auto lateral_m = [&](const Pose2& pose) {
-      return (pose.translation() - route_odom[i]).norm();
+  if (trail_.empty()) return 0.0;
+  DrivenGround::WayOptions options;
+  options.among.emplace(trail_.begin(), trail_.end());
+  return ground_.along(trail_.back(), route_odom, options).shared_m;
+}
+
+/// The newest stored pose may lie behind the body on the way: going there first would be a detour.
+TraversedPath::KnownPart TraversedPath::known_part(const std::vector<Eigen::Vector2d>& route_odom,
+                                                   bool may_reverse) const {
+  if (!T_odom_body_ || trail_.empty()) return {};
+  const DrivenWay way = ground_.along(trail_.back(), route_odom, {may_reverse, {}});
+  KnownPart known{way.shared_m, {*T_odom_body_}};
+  for (const std::size_t node : way.nodes) known.path_odom.push_back(ground_.pose(node));
+  if (known.path_odom.size() > 2) {
+    const auto distance_m = [&](std::size_t a, std::size_t b) {
+      return (known.path_odom[a].translation() - known.path_odom[b].translation()).norm();
     };
-    const double leg_m = (route_odom[i] - route_odom[i - 1]).norm();
-    const auto ahead = static_cast<std::ptrdiff_t>((leg_m + kDetourMaxM) / kSpacingM);
-    const auto end = nearest + std::min(ahead, poses_.rend() - nearest);
-    nearest = std::min_element(
-        nearest, end, [&](const Pose2& a, const Pose2& b) { return lateral_m(a) < lateral_m(b); });
-    if (lateral_m(*nearest) > kLateralMaxM) break;
-    shared_length_m += leg_m;
+    if (distance_m(0, 2) <= distance_m(1, 2)) known.path_odom.erase(known.path_odom.begin() + 1);
   }
-  return shared_length_m;
+  if (known.path_odom.size() > PlanGoal::kPointsMax) known.path_odom.resize(PlanGoal::kPointsMax);
+  return known;
 }
 
 std::vector<std::uint8_t> to_bytes(const StoredPathPose& pose) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -11,13 +12,14 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "procs/mission/driven_ground.hpp"
 
 namespace adit {
 
-/// The path that the body drove, in odom: its length, and the poses back to where odom began. When
-/// the body returns to an earlier pose, the loop in between is removed, as it need not be retraced;
-/// a pose above or below it, on another level, is another one. Nav2 and other stacks call it
-/// breadcrumbs.
+/// The path that the body drove, in odom: its length, the poses back to where odom began, and all
+/// ground that it drove over. When the body returns to an earlier pose, the loop in between is
+/// removed from the way back, as it need not be retraced; a pose above or below it, on another
+/// level, is another one. Nav2 and other stacks call it breadcrumbs.
 class TraversedPath {
  public:
   /// Takes the newest pose of the body. Returns true if it is far enough from the last stored one
@@ -39,7 +41,7 @@ class TraversedPath {
   }
 
   /// Whether no poses of earlier odom frames wait for anchor().
-  [[nodiscard]] bool is_anchored() const { return previous_map_poses_.empty(); }
+  [[nodiscard]] bool is_anchored() const { return previous_trail_.empty(); }
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
   /// The newest pose in the present odom frame.
   [[nodiscard]] const std::optional<Pose2>& T_odom_body() const { return T_odom_body_; }
@@ -60,18 +62,28 @@ class TraversedPath {
   /// Length of the first part of a route that follows the path backwards, 1 m beside it at most
   /// [m].
   [[nodiscard]] double shared_length_m(const std::vector<Eigen::Vector2d>& route_odom) const;
+  /// The first part of a route that the robot has driven before, in either direction.
+  struct KnownPart {
+    double along_m = 0.0;          ///< along the route; the path may be longer
+    std::vector<Pose2> path_odom;  ///< T_odom_body, from the present pose on
+  };
+  /// `may_reverse`: the robot sees behind itself.
+  [[nodiscard]] KnownPart known_part(const std::vector<Eigen::Vector2d>& route_odom,
+                                     bool may_reverse) const;
 
  private:
+  void prepend_previous();
+
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
   double z_odom_m_ = 0.0;
   double distance_travelled_m_ = 0.0;
-  struct Place : Pose2 {
-    double z_m = 0.0;
-  };
-  std::vector<Place> poses_;               ///< T_odom_body, the newest last
-  std::deque<Pose2> recent_;               ///< the same with loops, the newest last
-  std::vector<Place> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
+  DrivenGround ground_;             ///< in odom
+  std::vector<std::size_t> trail_;  ///< its nodes on the way back, the newest last
+  std::deque<Pose2> recent_;        ///< T_odom_body with loops, the newest last
+  // Of earlier odom frames, in map, until anchor().
+  DrivenGround previous_ground_;
+  std::vector<std::size_t> previous_trail_;
 };
 
 /// Length of the line through poses [m]. Turns on the spot have none.

@@ -9,6 +9,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/navigation.hpp"
 #include "procs/planning/goals/retrace.hpp"
 
@@ -36,6 +37,10 @@ PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning
     clearance_.add_pose(pose.T_odom_body);
     try_plan();
   });
+  subscribe<map_correction_t>(bus, channels::kMapCorrection, Delivery::latest(),
+                              [this](const MapCorrection& correction) {
+                                clearance_.set_correction(correction.T_map_odom);
+                              });
   subscribe<plan_goal_t>(bus, channels::kGoal, Delivery::latest(), [this](const PlanGoal& goal) {
     goal_ = goal;
     try_plan();

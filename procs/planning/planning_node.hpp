@@ -12,7 +12,8 @@
 
 namespace adit {
 
-/// In:  TERRAIN (terrain_t), in fragments; GOAL (plan_goal_t); POSE (pose_t).
+/// In:  TERRAIN (terrain_t), in fragments; GOAL (plan_goal_t); POSE (pose_t);
+///      MAP_CORRECTION (map_correction_t), for the clearance along the traversed path.
 /// Out: PATH (planned_path_t), once for each goal, over the newest terrain. A goal that arrives
 ///      before the first terrain or pose is pending until then; a newer goal replaces it.
 class PlanningNode {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "common/pose_graph/map_correction.hpp"
 #include "procs/planning/goals/retrace.hpp"
 
 namespace adit {
@@ -28,7 +30,11 @@ bool is_at(const Pose2& T_odom_a, const Pose2& T_odom_b) {
 void KnownClearance::add_pose(const Pose2& T_odom_body) {
   if (T_odom_body_) {
     const Pose2 step = between(*T_odom_body_, T_odom_body);
-    if (step.translation().norm() > kJumpM || std::abs(step.theta) > kJumpRad) clear();
+    driven_m_ += step.translation().norm();
+    if (step.translation().norm() > kJumpM || std::abs(step.theta) > kJumpRad) {
+      clear();
+      T_map_odom_.reset();
+    }
   }
   T_odom_body_ = T_odom_body;
 }
@@ -41,12 +47,27 @@ void KnownClearance::clear() {
 void KnownClearance::add_path(const PlannedPath& path) {
   if (path.outcome != PlanOutcome::kFound) return;
   if (points_ + path.points.size() > kPointsMax) clear();
-  for (const PathPoint& point : path.points) {
-    const Eigen::Vector2d p = point.T_odom_body.translation();
-    cells_[{cell_along(p.x()), cell_along(p.y())}].push_back(
-        {point.T_odom_body, point.clearance_m});
+  for (const PathPoint& point : path.points) add({point.T_odom_body, point.clearance_m, driven_m_});
+}
+
+void KnownClearance::add(const Point& point) {
+  cells_[{cell_along(point.T_odom_body.x), cell_along(point.T_odom_body.y)}].push_back(point);
+  ++points_;
+}
+
+void KnownClearance::set_correction(const Pose2& T_map_odom) {
+  const auto before = std::exchange(T_map_odom_, T_map_odom);
+  if (!before || *before == T_map_odom) return;
+  const Pose2 T_after_before = between(T_map_odom, *before);
+  const auto cells = std::exchange(cells_, {});
+  points_ = 0;
+  for (const auto& [cell, points] : cells) {
+    for (Point point : points) {
+      if (point.driven_m < driven_m_ - kKeepsPlaceInOdomM)
+        point.T_odom_body = T_after_before * point.T_odom_body;
+      add(point);
+    }
   }
-  points_ += path.points.size();
 }
 
 std::optional<double> KnownClearance::at(const Pose2& T_odom_body) const {

@@ -21,6 +21,9 @@ class KnownClearance {
   /// Poses of the body in order of time. One that no vehicle can have reached since the last one
   /// lies in another odom frame.
   void add_pose(const Pose2& T_odom_body);
+  /// Where odom lies in map. When a loop closure moves it, paths of long ago keep their place in
+  /// map (kKeepsPlaceInOdomM), as the traversed path does.
+  void set_correction(const Pose2& T_map_odom);
   /// Adds a path that was found over a scan.
   void add_path(const PlannedPath& path);
 
@@ -31,15 +34,19 @@ class KnownClearance {
   void apply(PlannedPath& path) const;
 
  private:
-  void clear();
-
   struct Point {
     Pose2 T_odom_body;
     double clearance_m = 0.0;
+    double driven_m = 0.0;  ///< distance travelled when it was planned
   };
   using Cell = std::pair<std::int64_t, std::int64_t>;
 
+  void clear();
+  void add(const Point& point);
+
   std::optional<Pose2> T_odom_body_;
+  std::optional<Pose2> T_map_odom_;
+  double driven_m_ = 0.0;
   std::map<Cell, std::vector<Point>> cells_;
   std::size_t points_ = 0;
 };

@@ -74,7 +74,7 @@ PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
     return path;
   }
   path.outcome = PlanOutcome::kFound;
-  path.reason = "Back along the traversed path.";
+  path.reason = "Along the traversed path.";
   return path;
 }
 

@@ -69,6 +69,20 @@ TEST(KnownClearance, IgnoresPathsThatWereNotFound) {
   EXPECT_FALSE(known.at({3.0, 0.0, 0.0}));
 }
 
+/// A loop closure moves odom in map by half a metre: the traversed path of long ago moves in odom.
+TEST(KnownClearance, KeepsItsPlaceInMap) {
+  KnownClearance known;
+  known.set_correction({1.0, 2.0, 0.0});
+  known.add_path(planned(0.0, 5.0));
+  for (double x = 0.0; x <= 20.0; x += 0.1) known.add_pose({x, 0.0, 0.0});
+  known.add_path(planned(20.0, 22.0));
+  known.set_correction({1.0, 1.5, 0.0});
+  EXPECT_FALSE(known.at({1.0, 0.0, 0.0}));
+  EXPECT_EQ(known.at({1.0, 0.5, 0.0}), 0.6);
+  EXPECT_EQ(known.at({21.0, 0.0, 0.0}), 0.6);  // planned since the newest local map
+  EXPECT_FALSE(known.at({21.0, 0.5, 0.0}));
+}
+
 TEST(KnownClearance, IsForgottenWithTheOdomFrame) {
   KnownClearance known;
   known.add_pose({4.0, 0.0, 0.0});

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/driven_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace adit {
+namespace {
+
+// Tolerance of equal poses: half the distance of stored poses along the path, beside it the
+// accuracy of driving.
+constexpr double kSameAlongM = 0.15;
+constexpr double kSameBesideM = 0.1;
+constexpr double kSameRad = 0.1;
+constexpr double kSameLevelM = 2.5;  // heights of the body on one level differ by less
+
+constexpr double kLateralMaxM = 1.0;   // of both ends of a way beside its route
+constexpr double kAsideMaxM = 4.0;     // of the way itself: to turn at a junction
+constexpr double kDetourM = 2.0;       // of a way against its route
+constexpr double kDetourShare = 0.35;  // the same as a share of the length along the route
+constexpr double kDetourMaxM = 8.0;
+constexpr double kSearchM = 2.0;     // for the place on the route of the next node
+constexpr double kGapM = 0.5;        // longer edges were torn by a correction of the map
+constexpr double kBackwardM = 0.05;  // less is the noise of a turn on the spot
+
+/// The place on a route of a point beside it.
+struct Progress {
+  double along_m = 0.0;    ///< from its beginning
+  double lateral_m = 0.0;  ///< distance from the route
+};
+
+/// A route by the length along it. It may cross itself, so a point is sought on a part of it only.
+class Route {
+ public:
+  explicit Route(const std::vector<Eigen::Vector2d>& points) : points_(points) {
+    along_m_.push_back(0.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      along_m_.push_back(along_m_.back() + (points[i] - points[i - 1]).norm());
+  }
+
+  /// The nearest place on the route between two lengths along it.
+  [[nodiscard]] Progress nearest(const Eigen::Vector2d& p, double from_m, double to_m) const {
+    Progress best{0.0, std::numeric_limits<double>::infinity()};
+    const auto past = std::ranges::upper_bound(along_m_, from_m) - along_m_.begin();
+    for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(past, 1));
+         i < points_.size() && along_m_[i - 1] <= to_m; ++i) {
+      const Eigen::Vector2d leg = points_[i] - points_[i - 1];
+      const double leg_m = along_m_[i] - along_m_[i - 1];
+      if (leg_m <= 0.0) continue;
+      const double on_leg_m = std::clamp((p - points_[i - 1]).dot(leg) / leg_m,
+                                         std::clamp(from_m - along_m_[i - 1], 0.0, leg_m),
+                                         std::clamp(to_m - along_m_[i - 1], 0.0, leg_m));
+      const double lateral_m = (points_[i - 1] + on_leg_m / leg_m * leg - p).norm();
+      if (lateral_m < best.lateral_m) best = {along_m_[i - 1] + on_leg_m, lateral_m};
+    }
+    return best;
+  }
+
+ private:
+  const std::vector<Eigen::Vector2d>& points_;
+  std::vector<double> along_m_;  ///< of each point
+};
+
+}  // namespace
+
+bool is_same_level(double z_a_m, double z_b_m) { return std::abs(z_a_m - z_b_m) < kSameLevelM; }
+
+bool is_same(const DrivenPose& a, const DrivenPose& b) {
+  // Before the transformation, for speed.
+  constexpr double kFarM = kSameAlongM + kSameBesideM;
+  if (std::abs(a.x - b.x) > kFarM || std::abs(a.y - b.y) > kFarM) return false;
+  const Pose2 T_a_b = between(a, b);
+  return is_same_level(a.z_m, b.z_m) && std::abs(T_a_b.x) < kSameAlongM &&
+         std::abs(T_a_b.y) < kSameBesideM && std::abs(T_a_b.theta) < kSameRad;
+}
+
+std::size_t DrivenGround::add(const DrivenPose& pose, double driven_m) {
+  const auto same =
+      std::ranges::find_if(nodes_, [&](const Node& node) { return is_same(node.pose, pose); });
+  const auto node = static_cast<std::size_t>(same - nodes_.begin());
+  if (same == nodes_.end()) nodes_.emplace_back();
+  update(node, pose, driven_m);
+  return node;
+}
+
+void DrivenGround::update(std::size_t node, const DrivenPose& pose, double driven_m) {
+  nodes_[node].pose = pose;
+  nodes_[node].driven_m = driven_m;
+}
+
+void DrivenGround::connect(std::size_t a, std::size_t b) {
+  auto& neighbours = nodes_[a].neighbours;
+  if (a == b || std::ranges::find(neighbours, b) != neighbours.end()) return;
+  neighbours.push_back(b);
+  nodes_[b].neighbours.push_back(a);
+}
+
+void DrivenGround::move(const Pose2& T_after_before, double z_after_before_m, double driven_max_m) {
+  for (Node& node : nodes_) {
+    if (node.driven_m > driven_max_m) continue;
+    node.pose = {T_after_before * node.pose, z_after_before_m + node.pose.z_m};
+  }
+}
+
+void DrivenGround::prepend(const DrivenGround& earlier) {
+  for (Node& node : nodes_) {
+    for (std::size_t& neighbour : node.neighbours) neighbour += earlier.size();
+  }
+  nodes_.insert(nodes_.begin(), earlier.nodes_.begin(), earlier.nodes_.end());
+}
+
+/// Dijkstra's search by the length of the way. Each node has its place on the route, which is
+/// sought near that of the node before.
+DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
+                              const WayOptions& options) const {
+  struct Reached {
+    double length_m = 0.0;
+    double along_m = 0.0;
+    double lateral_m = 0.0;
+    std::size_t before = 0;
+  };
+  using Entry = std::pair<double, std::size_t>;  // length of the way, node
+  if (route.size() < 2) return {};
+  const Route places(route);
+  const Progress start =
+      places.nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
+  if (start.lateral_m > kLateralMaxM) return {};
+  std::unordered_map<std::size_t, Reached> reached{
+      {from, {0.0, start.along_m, start.lateral_m, from}}};
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  open.emplace(0.0, from);
+  std::size_t farthest = from;
+  while (!open.empty()) {
+    const auto [length_m, at] = open.top();
+    open.pop();
+    const Reached here = reached.at(at);
+    if (length_m > here.length_m) continue;  // a shorter way was found since
+    const double detour_max_m = std::max(kDetourM, kDetourShare * here.along_m);
+    if (here.lateral_m <= kLateralMaxM && length_m <= here.along_m + detour_max_m &&
+        here.along_m > reached.at(farthest).along_m)
+      farthest = at;
+    for (const std::size_t next : nodes_[at].neighbours) {
+      const Pose2 step = between(nodes_[at].pose, nodes_[next].pose);
+      const double step_m = step.translation().norm();
+      if (step_m > kGapM || (!options.may_reverse && step.x < -kBackwardM)) continue;
+      if (options.among && !options.among->contains(next)) continue;
+      const Progress progress =
+          places.nearest(nodes_[next].pose.translation(), here.along_m - kSearchM,
+                         here.along_m + step_m + kSearchM);
+      const Reached there{length_m + step_m, progress.along_m, progress.lateral_m, at};
+      if (there.lateral_m > kAsideMaxM || there.length_m > there.along_m + kDetourMaxM) continue;
+      const auto [known, is_new] = reached.emplace(next, there);
+      if (!is_new && known->second.length_m <= there.length_m) continue;
+      known->second = there;
+      open.emplace(there.length_m, next);
+    }
+  }
+  DrivenWay way;
+  way.shared_m = reached.at(farthest).along_m;
+  for (std::size_t at = farthest; at != from; at = reached.at(at).before) way.nodes.push_back(at);
+  way.nodes.push_back(from);
+  std::ranges::reverse(way.nodes);
+  return way;
+}
+
+}  // namespace adit

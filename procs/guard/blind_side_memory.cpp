@@ -65,7 +65,9 @@ double BlindSideMemory::known_m(const ArcMotion& motion, double within_m) const 
   const double sign = direction_of(motion);
   double known = 0.0;
   for (double distance_m = kSampleM; known < within_m; distance_m += kSampleM) {
-    const double signed_m = sign * std::min(distance_m, within_m);
+    // Never less than a sample, which is more than kInsideM: the vehicle cannot creep onto new
+    // ground.
+    const double signed_m = sign * distance_m;
     const Pose2 T_body_ahead = along_arc(signed_m, signed_m * motion.curvature_1_m);
     if (!is_known(*T_odom_body_ * T_body_ahead)) return known;
     known = std::min(distance_m, within_m);
@@ -78,8 +80,9 @@ bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
   const double x_m = std::max(0.0, 0.5 * vehicle_.length_m - kInsideM);
   const double y_m = std::max(0.0, 0.5 * vehicle_.width_m - kInsideM);
   const auto known = [&](double x, double y) {
-    const std::int64_t cell = cell_of(T_odom_body * Eigen::Vector2d(x, y));
-    return seen_.contains(cell) || driven_.contains(cell);
+    const Eigen::Vector2d p_odom = T_odom_body * Eigen::Vector2d(x, y);
+    const std::int64_t cell = cell_of(p_odom);
+    return is_under_body(p_odom) || seen_.contains(cell) || driven_.contains(cell);
   };
   const int along = static_cast<int>(std::ceil(2.0 * x_m / kSampleM));
   for (int i = 0; i <= along; ++i) {
@@ -92,6 +95,13 @@ bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
     if (!known(-x_m, y) || !known(x_m, y)) return false;
   }
   return true;
+}
+
+/// The body is up to kMovedM ahead of the last footprint that was added.
+bool BlindSideMemory::is_under_body(const Eigen::Vector2d& p_odom) const {
+  const Eigen::Vector2d p_body = T_odom_body_->inverse() * p_odom;
+  return std::abs(p_body.x()) <= 0.5 * vehicle_.length_m &&
+         std::abs(p_body.y()) <= 0.5 * vehicle_.width_m;
 }
 
 void BlindSideMemory::add_footprint() {

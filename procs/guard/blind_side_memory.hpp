@@ -42,6 +42,7 @@ class BlindSideMemory {
   void forget_far_cells();
   void forget_old_cells();
   [[nodiscard]] bool is_known(const Pose2& T_odom_body) const;
+  [[nodiscard]] bool is_under_body(const Eigen::Vector2d& p_odom) const;
 
   Vehicle vehicle_;
   LaserMount laser_;

@@ -162,6 +162,29 @@ TEST(BlindSideMemory, KnowsThePathOfTheLast60Metres) {
   EXPECT_EQ(ground.known_m({0.3, 0.0}, 19.0), 19.0);  // driven twice
 }
 
+/// The last footprint that was added is a few centimetres behind: those ahead of it are no unknown
+/// ground. A vehicle that turned into a recess could not leave it again.
+TEST(BlindSideMemory, KnowsTheGroundUnderTheBody) {
+  Vehicle vehicle;
+  BlindSideMemory ground(vehicle, LaserMount{});
+  for (int i = 0; i <= 20; ++i) ground.move_to({0.1 * i, 0.0, 0.0});
+  ground.move_to({2.04, 0.0, 0.0});
+  EXPECT_EQ(ground.known_m({-0.05, 0.0}, 0.01), 0.01);
+  EXPECT_EQ(ground.known_m({-0.3, 0.0}, 1.0), 1.0);
+}
+
+TEST(BlindSideMemory, IsNotExtendedByCreeping) {
+  Vehicle vehicle;
+  BlindSideMemory ground(vehicle, LaserMount{});
+  double x_m = 0.0;
+  ground.move_to({x_m, 0.0, 0.0});
+  for (int i = 0; i < 1000 && ground.known_m({-0.05, 0.0}, 0.01) > 0.0; ++i) {
+    x_m -= 0.002;
+    ground.move_to({x_m, 0.0, 0.0});
+  }
+  EXPECT_GT(x_m, -0.15);  // a cell and the tolerance of the outline
+}
+
 TEST(Guard, AcceptsABlindRangeThatEqualsTheMargin) {
   GuardParams params = groundhog_guard();
   params.vehicle.length_m = 0.9;

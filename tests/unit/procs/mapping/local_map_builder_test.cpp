@@ -3,6 +3,8 @@
 #include "procs/mapping/local_map_builder.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -257,6 +259,59 @@ double displacement_sd(double wheels_share) {
 TEST(LocalMapBuilder, StatesASlipThatTheWheelsContradict) {
   EXPECT_LT(displacement_sd(1.0), 0.02);
   EXPECT_GT(2.448 * displacement_sd(0.6), 0.4);
+}
+
+/// A lidar that turns in 0.1 s, on a body that drives 0.5 m/s towards a wall 6 m away. Each beam of
+/// the stored scan has to end on the wall as it was when the scan began.
+TEST(LocalMapBuilder, StoresASlowScanWithoutTheMotionOfTheBody) {
+  constexpr double kSpeedMS = 0.5;
+  constexpr double kWallM = 6.0;
+  constexpr int kBeams = 720;
+  constexpr std::int32_t kGroundBeam = 350;
+  constexpr std::int32_t kUnconfirmedBeam = 365;
+  LaserMount mount;
+  mount.T_body_laser = {};
+  mount.field_of_view_rad = 2.0 * std::numbers::pi;
+  mount.timing = {.mirror_hz = 10.0, .mirror_turns = 1, .clockwise = true};
+  LocalMapBuilder builder({}, {{kFront, mount}});
+
+  LaserScan scan;
+  scan.utime = 1'200'000'000;
+  scan.angle_step_rad = 2.0 * std::numbers::pi / kBeams;
+  scan.angle_min_rad = -std::numbers::pi;
+  for (int beam = 0; beam < kBeams; ++beam) {
+    const double ahead = std::cos(scan.angle_min_rad + beam * scan.angle_step_rad);
+    const double driven_m = kSpeedMS * mount.timing.beam_time_s(beam, kBeams, scan.angle_step_rad);
+    scan.ranges_m.push_back(ahead > 0.5 ? static_cast<float>((kWallM - driven_m) / ahead) : 0.0F);
+  }
+  ScanMatch match;
+  match.status = Status::kFirstScan;
+  match.channel = kFront;
+  match.utime = scan.utime;
+  match.reference_utime = scan.utime - 100'000;
+  match.T_reference_body = {0.1 * kSpeedMS, 0.0, 0.0};
+  match.ground_beams = {kGroundBeam};
+  match.unconfirmed_beams = {kUnconfirmedBeam};
+  builder.add(kFront, scan, match);
+
+  ASSERT_EQ(builder.current().scans.size(), 1U);
+  const LocalScan& stored = builder.current().scans.front();
+  const auto ahead_m = [&](const LaserScan& of, int beam) {
+    return of.ranges_m[static_cast<std::size_t>(beam)] *
+           std::cos(of.angle_min_rad + beam * of.angle_step_rad);
+  };
+  EXPECT_GT(kWallM - ahead_m(scan, 300), 0.015);
+  int on_wall = 0;
+  for (int beam = 280; beam <= 440; ++beam) {
+    const double measured_m = ahead_m(stored.scan, beam);
+    if (!(measured_m > 0.0)) continue;
+    ++on_wall;
+    EXPECT_NEAR(measured_m, kWallM, 0.002) << beam;
+  }
+  EXPECT_NEAR(on_wall, 161, 3);
+  EXPECT_FALSE(stored.scan.ranges_m[kGroundBeam] > 0.0F);
+  ASSERT_FALSE(stored.unconfirmed_beams.empty());
+  for (const std::int32_t beam : stored.unconfirmed_beams) EXPECT_NEAR(beam, kUnconfirmedBeam, 1);
 }
 
 }  // namespace

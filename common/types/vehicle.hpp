@@ -30,6 +30,9 @@ struct Vehicle {
   double wading_depth_max_m = 0.25;     ///< of water without damage
   double tilt_max_rad = 0.5;            ///< maximum roll or pitch without tipping over
 
+  /// Whether it drives with its rear end ahead as with its front end.
+  [[nodiscard]] bool is_symmetric() const { return steering != "ackermann"; }
+
   template <class V>
   void visit(V& v) {
     v("mass_kg", mass_kg, above(0.0));

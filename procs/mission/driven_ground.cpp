@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -113,10 +114,38 @@ void DrivenGround::prepend(const DrivenGround& earlier) {
   nodes_.insert(nodes_.begin(), earlier.nodes_.begin(), earlier.nodes_.end());
 }
 
-/// Dijkstra's search by the length of the way. Each node has its place on the route, which is
-/// sought near that of the node before.
 DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
                               const WayOptions& options) const {
+  if (route.size() < 2) return {};
+  const Progress start =
+      Route(route).nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
+  if (start.lateral_m > kLateralMaxM) return {};
+  return search({{from, start.along_m, 0.0}}, route, options);
+}
+
+DrivenWay DrivenGround::joining(const std::vector<Eigen::Vector2d>& route, double join_m,
+                                double z_m) const {
+  if (route.size() < 2) return {};
+  const Route places(route);
+  std::vector<Source> sources;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const DrivenPose& pose = nodes_[i].pose;
+    const bool is_far = (pose.translation() - route.front()).norm() > join_m + kLateralMaxM;
+    if (is_far || !is_same_level(pose.z_m, z_m)) continue;
+    const Progress progress = places.nearest(pose.translation(), 0.0, join_m);
+    if (progress.lateral_m <= kLateralMaxM)
+      sources.push_back({i, progress.along_m, progress.along_m});
+  }
+  return search(sources, route, {});
+}
+
+/// Dijkstra's search by the length of the way. Each node has its place on the route, which is
+/// sought near that of the node before. A way that pays for a longer part of the route may be
+/// longer: where the robot went past a junction and entered it from there, it has to go there to
+/// turn.
+DrivenWay DrivenGround::search(const std::vector<Source>& sources,
+                               const std::vector<Eigen::Vector2d>& route,
+                               const WayOptions& options) const {
   struct Reached {
     double length_m = 0.0;
     double along_m = 0.0;
@@ -124,16 +153,14 @@ DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2
     std::size_t before = 0;
   };
   using Entry = std::pair<double, std::size_t>;  // length of the way, node
-  if (route.size() < 2) return {};
   const Route places(route);
-  const Progress start =
-      places.nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
-  if (start.lateral_m > kLateralMaxM) return {};
-  std::unordered_map<std::size_t, Reached> reached{
-      {from, {0.0, start.along_m, start.lateral_m, from}}};
+  std::unordered_map<std::size_t, Reached> reached;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  open.emplace(0.0, from);
-  std::size_t farthest = from;
+  for (const Source& source : sources) {
+    reached[source.node] = {source.length_m, source.along_m, 0.0, source.node};
+    open.emplace(source.length_m, source.node);
+  }
+  std::optional<std::size_t> farthest;
   while (!open.empty()) {
     const auto [length_m, at] = open.top();
     open.pop();
@@ -141,7 +168,7 @@ DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2
     if (length_m > here.length_m) continue;  // a shorter way was found since
     const double detour_max_m = std::max(kDetourM, kDetourShare * here.along_m);
     if (here.lateral_m <= kLateralMaxM && length_m <= here.along_m + detour_max_m &&
-        here.along_m > reached.at(farthest).along_m)
+        (!farthest || here.along_m > reached.at(*farthest).along_m))
       farthest = at;
     for (const std::size_t next : nodes_[at].neighbours) {
       const Pose2 step = between(nodes_[at].pose, nodes_[next].pose);
@@ -160,9 +187,14 @@ DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2
     }
   }
   DrivenWay way;
-  way.shared_m = reached.at(farthest).along_m;
-  for (std::size_t at = farthest; at != from; at = reached.at(at).before) way.nodes.push_back(at);
-  way.nodes.push_back(from);
+  if (!farthest) return way;
+  way.shared_m = reached.at(*farthest).along_m;
+  std::size_t at = *farthest;
+  while (reached.at(at).before != at) {
+    way.nodes.push_back(at);
+    at = reached.at(at).before;
+  }
+  way.nodes.push_back(at);
   std::ranges::reverse(way.nodes);
   return way;
 }

@@ -57,6 +57,9 @@ class DrivenGround {
   /// the shortest.
   [[nodiscard]] DrivenWay along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
                                 const WayOptions& options) const;
+  /// The same from any node beside the first `join_m` of the route, at this height.
+  [[nodiscard]] DrivenWay joining(const std::vector<Eigen::Vector2d>& route, double join_m,
+                                  double z_m) const;
 
  private:
   struct Node {
@@ -64,6 +67,15 @@ class DrivenGround {
     double driven_m = 0.0;
     std::vector<std::size_t> neighbours;
   };
+
+  struct Source {
+    std::size_t node = 0;
+    double along_m = 0.0;  ///< of the route
+    double length_m = 0.0;
+  };
+  [[nodiscard]] DrivenWay search(const std::vector<Source>& sources,
+                                 const std::vector<Eigen::Vector2d>& route,
+                                 const WayOptions& options) const;
 
   std::vector<Node> nodes_;
 };

@@ -22,6 +22,8 @@ constexpr double kTransitMinM = 4.0;      // less is not worth a path of its own
 constexpr double kTransitHomeMinM = 1.0;  // to the end of the traversed path
 constexpr double kTransitEndM = 1.5;      // before the route leaves the traversed path
 constexpr double kPoseSpacingM = 0.2;     // of the traversed path
+constexpr double kJoinM = 6.0;            // of the route, in which it joins driven ground
+constexpr double kJoinMinM = 12.0;        // along the route; a path over a scan is shorter
 constexpr double kRejoinViewM = 10.0;     // poses beyond the rejoin length that planning may reach
 
 using GoalKind = PlanGoal::Kind;
@@ -193,6 +195,18 @@ std::optional<Rejoin> Retracing::transit(const TraversedPath& path,
     return std::nullopt;
   return Rejoin{PlanGoal::Kind::kRetrace, length_m, first_part_of(known.path_odom, length_m),
                 std::nullopt};
+}
+
+std::optional<Rejoin> Retracing::join(const TraversedPath& path,
+                                      const std::vector<Eigen::Vector2d>& route_odom,
+                                      bool may_reverse, bool is_symmetric) const {
+  if (failed_) return std::nullopt;
+  const auto known = path.joined_part(route_odom, kJoinM, may_reverse, is_symmetric);
+  const double length_m =
+      std::min(length_of_path_m(known.path_odom) - kTransitEndM, kUnscannedMaxM);
+  if (known.along_m < kJoinMinM || length_m < kTransitMinM) return std::nullopt;
+  return Rejoin{PlanGoal::Kind::kRejoin, length_m, first_part_of(known.path_odom, length_m),
+                std::nullopt, true};
 }
 
 BackOff Retracing::back_off(const TraversedPath& path, double distance_m,

@@ -40,6 +40,7 @@ struct Rejoin {
   double distance_m = 0.0;              ///< along the traversed path at most
   std::vector<Pose2> path_odom;         ///< T_odom_body, from the present pose backwards
   std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
+  bool is_short_cut = false;            ///< without a path onto it the robot follows its route
 };
 
 /// The maneuver of the phases plan and execute.
@@ -104,6 +105,12 @@ class Retracing {
                                               const std::vector<Eigen::Vector2d>& route_odom,
                                               double unscanned_m, bool ends_at_route_end,
                                               bool may_reverse) const;
+
+  /// After a 3D scan: gets over its terrain onto ground that the robot has driven and on along it;
+  /// empty if it was not driven farther than a path over the scan leads.
+  [[nodiscard]] std::optional<Rejoin> join(const TraversedPath& path,
+                                           const std::vector<Eigen::Vector2d>& route_odom,
+                                           bool may_reverse, bool is_symmetric) const;
 
   /// `present`: the maneuver that is interrupted.
   [[nodiscard]] BackOff back_off(const TraversedPath& path, double distance_m,

@@ -311,12 +311,20 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
-  // Over the terrain of the scan first, then along driven ground. A path beside that would end the
-  // transit, and each further path need a scan.
-  if (auto known = target_.is_known ? transit(0.0) : std::nullopt) {
+  if (auto known = known_way()) maneuver_ = std::move(*known);
+}
+
+/// After a scan: over its terrain first, then along driven ground. A path beside that would end the
+/// transit, and each further path need a scan.
+std::optional<Rejoin> Mission::known_way() const {
+  auto known = target_.is_known ? transit(0.0) : std::nullopt;
+  if (known) {
     known->kind = PlanGoal::Kind::kRejoin;
-    maneuver_ = std::move(*known);
+    known->is_short_cut = true;
   }
+  if (known || target_.is_straight_ahead || recovery_.rejections() > 0) return known;
+  return retracing_.join(localization_.traversed_path(), target_.route_odom,
+                         params_.lasers.sees_behind(), params_.vehicle.is_symmetric());
 }
 
 void Mission::add_path(const PlannedPath& path) {
@@ -334,6 +342,8 @@ void Mission::evaluate(const PlannedPath& path) {
     enter(Phase::kExecute, path.reason);
   } else if (auto planned = planned_instead_of_retraced(maneuver_)) {
     begin(std::move(*planned), "backing off by a planned path: " + path.reason);
+  } else if (const auto* known = std::get_if<Rejoin>(&maneuver_); known && known->is_short_cut) {
+    begin(FollowRoute{}, "no way onto ground that it has driven: " + path.reason);
   } else if (is_off_route(maneuver_)) {
     retracing_.note_drive(true);
     recover(

@@ -18,6 +18,7 @@
 #include "common/types/exploration.hpp"
 #include "common/types/mission.hpp"
 #include "common/types/planned_path.hpp"
+#include "common/types/vehicle.hpp"
 #include "procs/mission/maneuver.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/mission_localization.hpp"
@@ -31,6 +32,7 @@ namespace adit {
 
 struct MissionParams {
   Lasers lasers;
+  Vehicle vehicle;
   MissionLimitsParams limits;
   std::string start = "immediately";      ///< or "on_order": a person starts the mission
   std::string after_power_loss = "home";  ///< or "resume"
@@ -45,6 +47,7 @@ struct MissionParams {
   template <class V>
   void visit(V& v) {
     v.shared(Lasers::kSection, lasers);
+    v.shared(Vehicle::kSection, vehicle);
     v("limits", limits);
     v("start", start, OneOf({"immediately", "on_order"}));
     v("after_power_loss", after_power_loss, OneOf({"home", "resume"}));
@@ -141,6 +144,7 @@ class Mission {
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
   [[nodiscard]] std::optional<Rejoin> transit(double unscanned_m) const;
+  [[nodiscard]] std::optional<Rejoin> known_way() const;
   void request_scan(LaserId laser, const std::string& reason);
   [[nodiscard]] LaserId other_laser() const;
   void handle_arrival();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "common/journal/journal.hpp"
@@ -166,6 +167,33 @@ TraversedPath::KnownPart TraversedPath::known_part(const std::vector<Eigen::Vect
     if (distance_m(0, 2) <= distance_m(1, 2)) known.path_odom.erase(known.path_odom.begin() + 1);
   }
   if (known.path_odom.size() > PlanGoal::kPointsMax) known.path_odom.resize(PlanGoal::kPointsMax);
+  return known;
+}
+
+/// With the end of the robot ahead that leads along the route now, or its front if it must.
+TraversedPath::KnownPart TraversedPath::joined_part(const std::vector<Eigen::Vector2d>& route_odom,
+                                                    double join_m, bool may_reverse,
+                                                    bool is_symmetric) const {
+  if (!T_odom_body_ || route_odom.size() < 2) return {};
+  const DrivenWay way = ground_.joining(route_odom, join_m, z_odom_m_);
+  if (way.nodes.size() < 2) return {};
+  const auto leads = [](const Pose2& T_odom, const Eigen::Vector2d& p_odom) {
+    return (T_odom.inverse() * p_odom).x() >= 0.0;
+  };
+  const bool front_leads = !may_reverse || leads(*T_odom_body_, route_odom[1]);
+  const bool front_led =
+      leads(ground_.pose(way.nodes[0]), ground_.pose(way.nodes[1]).translation());
+  if (front_leads != front_led && !is_symmetric) return {};
+  const Pose2 turn{0.0, 0.0, front_leads == front_led ? 0.0 : std::numbers::pi};
+  KnownPart known{way.shared_m, {}};
+  for (const std::size_t node : way.nodes) {
+    const Pose2 pose = ground_.pose(node) * turn;
+    const bool is_backwards =
+        !known.path_odom.empty() && !leads(known.path_odom.back(), pose.translation());
+    if (is_backwards && !may_reverse) return {};
+    known.path_odom.push_back(pose);
+    if (known.path_odom.size() == PlanGoal::kPointsMax) break;
+  }
   return known;
 }
 

@@ -70,6 +70,10 @@ class TraversedPath {
   /// `may_reverse`: the robot sees behind itself.
   [[nodiscard]] KnownPart known_part(const std::vector<Eigen::Vector2d>& route_odom,
                                      bool may_reverse) const;
+  /// The same from the first ground on that the robot drove beside the next `join_m` of the route,
+  /// which it first has to get onto. `is_symmetric`: it may drive there with its other end ahead.
+  [[nodiscard]] KnownPart joined_part(const std::vector<Eigen::Vector2d>& route_odom, double join_m,
+                                      bool may_reverse, bool is_symmetric) const;
 
  private:
   void prepend_previous();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adit {
 namespace {
@@ -120,12 +121,22 @@ class LevelProjection {
   Eigen::Matrix3d R_level_body_;
 };
 
+/// SurfaceParams::half_window_beams for the beams of a scan.
+int half_window_of(const LaserScan& scan, const SurfaceParams& params) {
+  constexpr double kCoarseRad = 0.5 * std::numbers::pi / 180.0;
+  constexpr int kBeamsMax = 50;
+  const double finer = std::max(1.0, kCoarseRad / std::max(scan.angle_step_rad, 1e-6));
+  const double beams = std::round(params.half_window_beams * finer * finer);
+  return static_cast<int>(std::min<double>(beams, std::max(kBeamsMax, params.half_window_beams)));
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
                                          const SurfaceParams& params, const Attitude& attitude) {
   const auto returns = valid_returns(scan, mount);
   const auto connected = connect_neighbours(returns, params);
+  const int half_window = half_window_of(scan, params);
   const int n = static_cast<int>(returns.size());
   const double c = std::cos(mount.T_body_laser.theta);
   const double s = std::sin(mount.T_body_laser.theta);
@@ -142,12 +153,9 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount
              std::max(params.window_radius_m, params.gap_on_line_m * (std::abs(j - i) == 1));
     };
     int first = i;
-    while (first > 0 && i - first < params.half_window_beams && connected[first - 1] &&
-           near(first - 1))
-      --first;
+    while (first > 0 && i - first < half_window && connected[first - 1] && near(first - 1)) --first;
     int last = i;
-    while (last + 1 < n && last - i < params.half_window_beams && connected[last] && near(last + 1))
-      ++last;
+    while (last + 1 < n && last - i < half_window && connected[last] && near(last + 1)) ++last;
     SurfacePoint point;
     fit_normal(returns, first, last, params, returns[i], point);
     point.variance = variance_along_normal(returns[i], point, params);

@@ -34,7 +34,10 @@ struct SurfacePoint {
 };
 
 struct SurfaceParams {
-  int half_window_beams = 4;      ///< neighbours on each side used for the line fit
+  /// Neighbours on each side used for the line fit, of beams half a degree apart or more. Finer
+  /// beams take more, inversely with the square of their step: their normals would be noisier, and
+  /// there are more of them, so that smooth walls seemed to show the motion along them.
+  int half_window_beams = 4;
   double window_radius_m = 0.4;   ///< maximum distance of these neighbours
   double gap_m = 0.2;             ///< neighbours closer than this lie on one surface
   double bend_m = 0.05;           ///< as do farther ones that deviate from a line by less than this

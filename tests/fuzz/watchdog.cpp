@@ -20,8 +20,24 @@ int limit_seconds = 5;
 
 std::atomic<std::int64_t> current{-1};
 std::atomic<std::int64_t> calls{0};
-std::int64_t last_calls = -1;
-int seconds_on_case = 0;
+
+/// Counts the seconds on the present case, of the computer or of the process.
+struct Seconds {
+  std::int64_t last_calls = -1;
+  int on_case = 0;
+
+  /// Another second; returns how many there were without progress.
+  int count() {
+    on_case = calls == last_calls ? on_case + 1 : 0;
+    last_calls = calls;
+    return on_case;
+  }
+};
+Seconds of_process;
+Seconds of_computer;
+// Beside other programs a process gets a part of a core: only one that is blocked takes this long.
+constexpr int kBlockedFactor = 30;
+
 std::string_view command_line;
 
 void print_line(std::string_view text) { (void)!write(STDERR_FILENO, text.data(), text.size()); }
@@ -43,10 +59,10 @@ void on_crash(int signal) {
   std::raise(signal);
 }
 
-void on_second(int) {
-  seconds_on_case = calls == last_calls ? seconds_on_case + 1 : 0;
-  last_calls = calls;
-  if (seconds_on_case < limit_seconds) return;
+void on_second(int signal) {
+  const bool too_long = signal == SIGPROF ? of_process.count() >= limit_seconds
+                                          : of_computer.count() >= kBlockedFactor * limit_seconds;
+  if (!too_long) return;
   print_line("a case exceeds the time limit");
   print_case();
   _exit(1);
@@ -64,8 +80,10 @@ void start_watchdog(std::string_view command, int limit_s) {
   }
   std::signal(SIGABRT, on_crash);
   std::signal(SIGALRM, on_second);
+  std::signal(SIGPROF, on_second);
   const itimerval each_second{{1, 0}, {1, 0}};
   setitimer(ITIMER_REAL, &each_second, nullptr);
+  setitimer(ITIMER_PROF, &each_second, nullptr);
 }
 
 void watch(std::int64_t number) {

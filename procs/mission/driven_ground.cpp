@@ -24,6 +24,7 @@ constexpr double kAsideMaxM = 4.0;     // of the way itself: to turn at a juncti
 constexpr double kDetourM = 2.0;       // of a way against its route
 constexpr double kDetourShare = 0.35;  // the same as a share of the length along the route
 constexpr double kDetourMaxM = 8.0;
+constexpr double kJoinFactor = 1.05;
 constexpr double kSearchM = 2.0;     // for the place on the route of the next node
 constexpr double kGapM = 0.5;        // longer edges were torn by a correction of the map
 constexpr double kBackwardM = 0.05;  // less is the noise of a turn on the spot
@@ -133,8 +134,9 @@ DrivenWay DrivenGround::joining(const std::vector<Eigen::Vector2d>& route, doubl
     const bool is_far = (pose.translation() - route.front()).norm() > join_m + kLateralMaxM;
     if (is_far || !is_same_level(pose.z_m, z_m)) continue;
     const Progress progress = places.nearest(pose.translation(), 0.0, join_m);
-    if (progress.lateral_m <= kLateralMaxM)
-      sources.push_back({i, progress.along_m, progress.along_m});
+    // A little more than the driven ground costs, so that the way begins as early as it can.
+    if (progress.lateral_m <= kLateralMaxM && progress.along_m < join_m)
+      sources.push_back({i, progress.along_m, kJoinFactor * progress.along_m});
   }
   return search(sources, route, {});
 }

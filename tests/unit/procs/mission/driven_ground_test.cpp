@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "procs/mission/maneuver.hpp"
 #include "procs/mission/traversed_path.hpp"
 
 namespace adit {
@@ -142,6 +143,64 @@ TEST_F(DrivenTunnels, LeadOnIntoAnEarlierOdomFrame) {
   path_.anchor(Pose2{15.0, 0.0, 0.0});  // where the robot stood
   EXPECT_NEAR(path_.known_part(line({{0.0, 0.0}, {10.0, 0.0}}), true).along_m, 10.0, kStepM);
   EXPECT_NEAR(path_.known_part(line({{0.0, 0.0}, {-10.0, 0.0}}), true).along_m, 10.0, kStepM);
+}
+
+/// A robot 3 m before the tunnel that it drove, to which it came round another way.
+class GroundToJoin : public DrivenTunnels {
+ protected:
+  void SetUp() override {
+    drive({0.0, 0.0, 0.0}, {20.0, 0.0, 0.0});
+    drive({20.0, 0.0, 0.0}, {20.0, 8.0, 0.0});
+    drive({20.0, 8.0, 0.0}, {-3.0, 8.0, 0.0});
+  }
+  void stand(double heading_rad) {
+    drive({-3.0, 8.0, heading_rad}, {-3.0, 0.5, heading_rad});
+    EXPECT_LT(path_.known_part(route_, true).along_m, 1.01);
+  }
+  std::vector<Eigen::Vector2d> route_ = line({{-3.0, 0.5}, {0.0, 0.0}, {20.0, 0.0}});
+};
+
+TEST_F(GroundToJoin, LeadsOnFromItsBeginning) {
+  stand(0.0);
+  const auto known = path_.joined_part(route_, 6.0, true, false);
+  EXPECT_NEAR(known.along_m, std::hypot(3.0, 0.5) + 20.0, kStepM);
+  ASSERT_FALSE(known.path_odom.empty());
+  EXPECT_LT(known.path_odom.front().x, 0.5);
+  EXPECT_NEAR(known.path_odom.back().x, 20.0, kStepM);
+  EXPECT_TRUE(path_.joined_part(route_, 1.5, true, false).path_odom.empty());  // too far away
+}
+
+TEST_F(GroundToJoin, IsDrivenWithTheOtherEndAheadByASymmetricVehicle) {
+  stand(std::numbers::pi);
+  const auto known = path_.joined_part(route_, 6.0, true, true);
+  ASSERT_GT(known.path_odom.size(), 50U);
+  for (const Pose2& T_odom : known.path_odom)
+    EXPECT_NEAR(std::abs(angle_diff(T_odom.theta, std::numbers::pi)), 0.0, 1e-9);
+  EXPECT_TRUE(path_.joined_part(route_, 6.0, true, false).path_odom.empty());  // Ackermann steering
+}
+
+TEST_F(GroundToJoin, IsDrivenForwardsByARobotThatDoesNotSeeBehind) {
+  stand(std::numbers::pi);
+  const auto known = path_.joined_part(route_, 6.0, false, true);
+  ASSERT_GT(known.path_odom.size(), 50U);
+  EXPECT_NEAR(known.path_odom.front().theta, 0.0, 1e-9);
+}
+
+TEST_F(GroundToJoin, IsWorthAPlanOnlyFartherThanAScanLeads) {
+  stand(0.0);
+  const Retracing retracing;
+  const auto far = retracing.join(path_, route_, true, true);
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->kind, PlanGoal::Kind::kRejoin);
+  EXPECT_TRUE(far->is_short_cut);
+  EXPECT_GT(length_of_path_m(far->path_odom), 15.0);
+  EXPECT_FALSE(retracing.join(path_, line({{-3.0, 0.5}, {0.0, 0.0}, {6.0, 0.0}}), true, true));
+}
+
+TEST_F(GroundToJoin, IsNotThatOfAnotherLevel) {
+  stand(0.0);
+  path_.add(++utime_, {-3.0, 0.0, 0.0}, 4.0);
+  EXPECT_TRUE(path_.joined_part(route_, 6.0, true, true).path_odom.empty());
 }
 
 /// Beside a detour of 1.2 m around something that has been taken away since.

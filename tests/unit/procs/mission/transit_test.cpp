@@ -79,6 +79,29 @@ TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
   EXPECT_NEAR(back.norm(), 12.0 - 1.5, 0.7);  // no pose beyond the end of the route
 }
 
+TEST_F(MissionInTransit, FollowsTheRouteWhereNoWayLeadsOntoDrivenGround) {
+  reach_m_ = 20.0;
+  answer(Kind::kGoTo, 1);
+  terrain();
+  path(PlanOutcome::kFound);
+  drive(28.0);
+  arrive();
+  reach_m_ = -12.0;
+  answer(Kind::kHome);
+  ASSERT_EQ(now(), Phase::kScan);
+  terrain();
+  tick();
+  ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+  const int scans = scans_;
+  path(PlanOutcome::kBlocked);
+  ASSERT_EQ(now(), Phase::kPlan);  // over the same scan
+  tick();
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);
+  EXPECT_EQ(scans_, scans);
+  path(PlanOutcome::kFound);
+  EXPECT_EQ(now(), Phase::kExecute);
+}
+
 constexpr double kSpacingM = 0.21;  // of the poses
 
 class TransitHome : public testing::Test {

@@ -33,12 +33,13 @@ struct BackOff {
   std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
 };
 
-/// Drives onto the traversed path and along it.
+/// Drives onto ground that the robot has driven and along it: the traversed path back, or a way
+/// over DrivenGround.
 struct Rejoin {
   /// kRejoin; kRetrace without terrain of this odom frame; kRoute after planning rejected that.
   PlanGoal::Kind kind = PlanGoal::Kind::kRejoin;
-  double distance_m = 0.0;              ///< along the traversed path at most
-  std::vector<Pose2> path_odom;         ///< T_odom_body, from the present pose backwards
+  double distance_m = 0.0;              ///< along that ground at most
+  std::vector<Pose2> path_odom;         ///< T_odom_body, the nearest first
   std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
   bool is_short_cut = false;            ///< without a path onto it the robot follows its route
 };

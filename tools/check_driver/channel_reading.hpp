@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/messages/lidar.hpp"
 #include "common/messages/result.hpp"
 #include "common/sensing/laser_scan.hpp"
 
@@ -19,6 +20,7 @@ struct ChannelReading {
   std::vector<double> values;  ///< what it measures, in the order of the message
   std::optional<LaserScan> scan;
   std::optional<double> yaw_rate_rad_s;  ///< of an IMU
+  std::optional<LidarFragment> lidar;
 };
 
 /// A channel that drivers publish.

@@ -138,8 +138,14 @@ void DriverCheck::add(std::string_view channel, std::span<const std::uint8_t> by
   }
   add_yaw(channel, *reading);
   if (!is_checked) return;
+  if (reading->lidar) {
+    const auto revolution = reassembler_.add(*reading->lidar);
+    if (!revolution) return;
+    turns_.emplace_back(*revolution);
+  }
   times_.stamps.push_back(reading->utime);
   times_.arrivals.push_back(arrival_utime);
+  if (reading->lidar) return;
   if (reading->scan) {
     if (!reading->scan->ranges_m.empty()) scans_.push_back(*reading->scan);
   } else {
@@ -168,6 +174,19 @@ CheckResults DriverCheck::value_results() const {
   if (is_laser(channel_->name) && !scans_.empty()) {
     CheckResults results = check_scans(scans_, range_max_m_);
     results.push_back(check_turn(scans_, gyro_yaw_.empty() ? wheel_yaw_ : gyro_yaw_));
+    return results;
+  }
+  if (!turns_.empty()) {
+    CheckResults results = check_lidar(turns_);
+    const auto lost = reassembler_.counts().superseded;
+    results.push_back(
+        {lost > 0 ? Verdict::kBad : Verdict::kGood, "fragments",
+         fmt::format("{} of {} revolutions arrived incomplete{}", lost,
+                     lost + static_cast<std::int64_t>(turns_.size()),
+                     lost > 0
+                         ? ": raise the receive buffer (net.core.rmem_max), or look for a busy "
+                           "computer"
+                         : "")});
     return results;
   }
   if (values_.empty()) return {};

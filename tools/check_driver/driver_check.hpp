@@ -12,6 +12,7 @@
 
 #include "tools/check_driver/channel_reading.hpp"
 #include "tools/check_driver/check_result.hpp"
+#include "tools/check_driver/lidar_checks.hpp"
 #include "tools/check_driver/scan_checks.hpp"
 #include "tools/check_driver/time_checks.hpp"
 
@@ -43,6 +44,8 @@ class DriverCheck {
   MessageTimes times_;
   std::vector<std::vector<double>> values_;  ///< of other sensors than lasers
   std::vector<LaserScan> scans_;
+  LidarReassembler reassembler_;
+  std::vector<LidarTurn> turns_;
   std::map<std::string, int, std::less<>> rejections_;
   YawHistory gyro_yaw_;
   YawHistory wheel_yaw_;

@@ -179,6 +179,10 @@ TEST(VelodyneLive, PublishesScansThroughAllThatHappensToALidar) {
   EXPECT_NEAR(live.revolutions - revolutions, 50, 3);
   EXPECT_LT(live.age_ms, 100.0);  // 50 ms of the revolution itself
 
+  DriverProcess check({ADIT, "check-driver", "LIDAR", "--seconds", "5"});
+  EXPECT_TRUE(live.run_until([&] { return !check.is_running(); }));
+  EXPECT_EQ(check.terminate(), 0);
+
   live.lost_share = 0.01;
   ASSERT_TRUE(live.more_scans_arrive(40));
   live.lost_share = 0.0;

@@ -36,10 +36,10 @@ struct CheckDriverOptions {
 };
 
 constexpr const char* kCheckDriverDetails =
-    R"(Listens to LASER_FRONT, LASER_REAR, TILT_FRONT, TILT_REAR, WHEEL_ODOMETRY, IMU, VEHICLE_STATE, GAS or SINKAGE, or
-reads them from a log, and prints one line for each property that the stages depend on: rate, gaps, order and
-regularity of the stamps, clock, frame, beams, ranges, repetition, order of the beams, sign. A line that begins
-with BAD says what to do; one with - could not be checked.
+    R"(Listens to LASER_FRONT, LASER_REAR, LIDAR, TILT_FRONT, TILT_REAR, WHEEL_ODOMETRY, IMU, VEHICLE_STATE, GAS or
+SINKAGE, or reads them from a log, and prints one line for each property that the stages depend on: rate, gaps, order and
+regularity of the stamps, clock, frame, beams, ranges, repetition, order of the beams, sign; of a spinning lidar whole
+revolutions, rings and returns. A line that begins with BAD says what to do; one with - could not be checked.
 
 Whether a laser turns the right direction is seen when the vehicle turns, by IMU or WHEEL_ODOMETRY: turn it on the spot
 while this runs. Arrivals in a log are the times of recording.)";

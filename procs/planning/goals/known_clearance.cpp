@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "common/pose_graph/map_correction.hpp"
@@ -20,9 +21,11 @@ constexpr std::size_t kPointsMax = 100'000;  // 20 km
 
 std::int64_t cell_along(double x_m) { return static_cast<std::int64_t>(std::floor(x_m / kNearM)); }
 
+/// The footprint is symmetric: either end may be ahead.
 bool is_at(const Pose2& T_odom_a, const Pose2& T_odom_b) {
+  const double turned_rad = std::remainder(T_odom_a.theta - T_odom_b.theta, std::numbers::pi);
   return (T_odom_a.translation() - T_odom_b.translation()).norm() <= kNearM &&
-         std::abs(angle_diff(T_odom_a.theta, T_odom_b.theta)) <= kNearRad;
+         std::abs(turned_rad) <= kNearRad;
 }
 
 }  // namespace

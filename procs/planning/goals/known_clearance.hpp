@@ -27,7 +27,8 @@ class KnownClearance {
   /// Adds a path that was found over a scan.
   void add_path(const PlannedPath& path);
 
-  /// The least clearance of planned points at this pose, in either direction of travel [m].
+  /// The least clearance of planned points at this pose, in either direction of travel and with
+  /// either end of the vehicle ahead [m].
   [[nodiscard]] std::optional<double> at(const Pose2& T_odom_body) const;
   /// Sets the clearance of the points of a path along the traversed path (kRetracedClearanceM)
   /// where it is known; points that were planned over a scan keep theirs.

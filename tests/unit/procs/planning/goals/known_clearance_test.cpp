@@ -3,6 +3,7 @@
 #include "procs/planning/goals/known_clearance.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,14 @@ TEST(KnownClearance, StaysSmallWhereNoPathWasPlanned) {
   known.apply(path);
   for (const PathPoint& point : path.points) EXPECT_EQ(point.clearance_m, 0.1);
   EXPECT_FALSE(known.at({5.0, 0.0, 1.0}));  // there, but across
+}
+
+TEST(KnownClearance, IsTheSameWithTheOtherEndAhead) {
+  KnownClearance known;
+  known.add_path(planned(0.0, 5.0));
+  EXPECT_EQ(known.at({3.0, 0.0, std::numbers::pi}), 0.6);
+  EXPECT_EQ(known.at({3.0, 0.0, -std::numbers::pi + 0.1}), 0.6);
+  EXPECT_FALSE(known.at({3.0, 0.0, std::numbers::pi / 2.0}));
 }
 
 TEST(KnownClearance, IgnoresPathsThatWereNotFound) {

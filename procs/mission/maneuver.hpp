@@ -33,8 +33,8 @@ struct BackOff {
   std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
 };
 
-/// Drives onto ground that the robot has driven and along it: the traversed path back, or a way
-/// over DrivenGround.
+/// Drives onto ground that the robot has driven and along it: the traversed path back, or a path
+/// over DrivenGraph.
 struct Rejoin {
   /// kRejoin; kRetrace without terrain of this odom frame; kRoute after planning rejected that.
   PlanGoal::Kind kind = PlanGoal::Kind::kRejoin;

@@ -311,12 +311,12 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
   enter(Phase::kPlan, "the 3D scan is ready");
-  if (auto known = known_way()) maneuver_ = std::move(*known);
+  if (auto known = known_path()) maneuver_ = std::move(*known);
 }
 
 /// After a scan: over its terrain first, then along driven ground. A path beside that would end the
 /// transit, and each further path need a scan.
-std::optional<Rejoin> Mission::known_way() const {
+std::optional<Rejoin> Mission::known_path() const {
   auto known = target_.is_known ? transit(0.0) : std::nullopt;
   if (known) {
     known->kind = PlanGoal::Kind::kRejoin;
@@ -343,7 +343,7 @@ void Mission::evaluate(const PlannedPath& path) {
   } else if (auto planned = planned_instead_of_retraced(maneuver_)) {
     begin(std::move(*planned), "backing off by a planned path: " + path.reason);
   } else if (const auto* known = std::get_if<Rejoin>(&maneuver_); known && known->is_short_cut) {
-    begin(FollowRoute{}, "no way onto ground that it has driven: " + path.reason);
+    begin(FollowRoute{}, "no path onto ground that it has driven: " + path.reason);
   } else if (is_off_route(maneuver_)) {
     retracing_.note_drive(true);
     recover(

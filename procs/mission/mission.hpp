@@ -144,7 +144,7 @@ class Mission {
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
   [[nodiscard]] std::optional<Rejoin> transit(double unscanned_m) const;
-  [[nodiscard]] std::optional<Rejoin> known_way() const;
+  [[nodiscard]] std::optional<Rejoin> known_path() const;
   void request_scan(LaserId laser, const std::string& reason);
   [[nodiscard]] LaserId other_laser() const;
   void handle_arrival();

@@ -148,18 +148,18 @@ std::vector<Pose2> TraversedPath::poses_back_within(double distance_m) const {
 
 double TraversedPath::shared_length_m(const std::vector<Eigen::Vector2d>& route_odom) const {
   if (trail_.empty()) return 0.0;
-  DrivenGround::WayOptions options;
+  DrivenGraph::PathOptions options;
   options.among.emplace(trail_.begin(), trail_.end());
   return ground_.along(trail_.back(), route_odom, options).shared_m;
 }
 
-/// The newest stored pose may lie behind the body on the way: going there first would be a detour.
+/// The newest stored pose may lie behind the body on the path: going there first would be a detour.
 TraversedPath::KnownPart TraversedPath::known_part(const std::vector<Eigen::Vector2d>& route_odom,
                                                    bool may_reverse) const {
   if (!T_odom_body_ || trail_.empty()) return {};
-  const DrivenWay way = ground_.along(trail_.back(), route_odom, {may_reverse, {}});
-  KnownPart known{way.shared_m, {*T_odom_body_}};
-  for (const std::size_t node : way.nodes) known.path_odom.push_back(ground_.pose(node));
+  const GraphPath path = ground_.along(trail_.back(), route_odom, {may_reverse, {}});
+  KnownPart known{path.shared_m, {*T_odom_body_}};
+  for (const std::size_t node : path.nodes) known.path_odom.push_back(ground_.pose(node));
   if (known.path_odom.size() > 2) {
     const auto distance_m = [&](std::size_t a, std::size_t b) {
       return (known.path_odom[a].translation() - known.path_odom[b].translation()).norm();
@@ -175,18 +175,18 @@ TraversedPath::KnownPart TraversedPath::joined_part(const std::vector<Eigen::Vec
                                                     double join_m, bool may_reverse,
                                                     bool is_symmetric) const {
   if (!T_odom_body_ || route_odom.size() < 2) return {};
-  const DrivenWay way = ground_.joining(route_odom, join_m, z_odom_m_);
-  if (way.nodes.size() < 2) return {};
+  const GraphPath path = ground_.joining(route_odom, join_m, z_odom_m_);
+  if (path.nodes.size() < 2) return {};
   const auto leads = [](const Pose2& T_odom, const Eigen::Vector2d& p_odom) {
     return (T_odom.inverse() * p_odom).x() >= 0.0;
   };
   const bool front_leads = !may_reverse || leads(*T_odom_body_, route_odom[1]);
   const bool front_led =
-      leads(ground_.pose(way.nodes[0]), ground_.pose(way.nodes[1]).translation());
+      leads(ground_.pose(path.nodes[0]), ground_.pose(path.nodes[1]).translation());
   if (front_leads != front_led && !is_symmetric) return {};
   const Pose2 turn{0.0, 0.0, front_leads == front_led ? 0.0 : std::numbers::pi};
-  KnownPart known{way.shared_m, {}};
-  for (const std::size_t node : way.nodes) {
+  KnownPart known{path.shared_m, {}};
+  for (const std::size_t node : path.nodes) {
     const Pose2 pose = ground_.pose(node) * turn;
     const bool is_backwards =
         !known.path_odom.empty() && !leads(known.path_odom.back(), pose.translation());

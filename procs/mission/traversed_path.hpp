@@ -12,13 +12,13 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
-#include "procs/mission/driven_ground.hpp"
+#include "procs/mission/driven_graph.hpp"
 
 namespace adit {
 
 /// The path that the body drove, in odom: its length, the poses back to where odom began, and all
 /// ground that it drove over. When the body returns to an earlier pose, the loop in between is
-/// removed from the way back, as it need not be retraced; a pose above or below it, on another
+/// removed from the path back, as it need not be retraced; a pose above or below it, on another
 /// level, is another one. Nav2 and other stacks call it breadcrumbs.
 class TraversedPath {
  public:
@@ -82,11 +82,11 @@ class TraversedPath {
   std::optional<Pose2> T_odom_body_;
   double z_odom_m_ = 0.0;
   double distance_travelled_m_ = 0.0;
-  DrivenGround ground_;             ///< in odom
-  std::vector<std::size_t> trail_;  ///< its nodes on the way back, the newest last
+  DrivenGraph ground_;              ///< in odom
+  std::vector<std::size_t> trail_;  ///< its nodes on the path back, the newest last
   std::deque<Pose2> recent_;        ///< T_odom_body with loops, the newest last
   // Of earlier odom frames, in map, until anchor().
-  DrivenGround previous_ground_;
+  DrivenGraph previous_ground_;
   std::vector<std::size_t> previous_trail_;
 };
 

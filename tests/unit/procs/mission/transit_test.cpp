@@ -79,7 +79,7 @@ TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
   EXPECT_NEAR(back.norm(), 12.0 - 1.5, 0.7);  // no pose beyond the end of the route
 }
 
-TEST_F(MissionInTransit, FollowsTheRouteWhereNoWayLeadsOntoDrivenGround) {
+TEST_F(MissionInTransit, FollowsTheRouteWhereNoPathLeadsOntoDrivenGraph) {
   reach_m_ = 20.0;
   answer(Kind::kGoTo, 1);
   terrain();

@@ -20,14 +20,14 @@ struct DrivenPose : Pose2 {
 };
 
 /// Part of a route that the robot has driven before, in either direction.
-struct DrivenWay {
+struct GraphPath {
   double shared_m = 0.0;           ///< length of the first part of the route that it follows
   std::vector<std::size_t> nodes;  ///< from the first one on, which is where it began
 };
 
 /// All ground that the body drove over, as a graph: its nodes are the poses, its edges the drives
 /// between two of them. Each edge has carried the robot and can be driven in either direction.
-class DrivenGround {
+class DrivenGraph {
  public:
   /// The node of this pose: one that is the same already, or a new one. Another pose above or below
   /// it, on another level, is not the same. `driven_m`: distance travelled when it was driven.
@@ -41,24 +41,24 @@ class DrivenGround {
             double driven_max_m = std::numeric_limits<double>::infinity());
   /// Puts the nodes of another graph in the same frame before those of this one, whose numbers
   /// increase by its size.
-  void prepend(const DrivenGround& earlier);
+  void prepend(const DrivenGraph& earlier);
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const DrivenPose& pose(std::size_t node) const { return nodes_[node].pose; }
 
-  /// What limits a way.
-  struct WayOptions {
+  /// What limits a path.
+  struct PathOptions {
     bool may_reverse = true;  ///< the robot sees behind itself
     /// Nodes that it may use; all if empty.
     std::optional<std::unordered_set<std::size_t>> among;
   };
 
-  /// Follows a route from a node on as far as it was driven, 1 m beside it at most; of several ways
-  /// the shortest.
-  [[nodiscard]] DrivenWay along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
-                                const WayOptions& options) const;
+  /// Follows a route from a node on as far as it was driven, 1 m beside it at most; of several
+  /// paths the shortest.
+  [[nodiscard]] GraphPath along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
+                                const PathOptions& options) const;
   /// The same from any node beside the first `join_m` of the route, at this height.
-  [[nodiscard]] DrivenWay joining(const std::vector<Eigen::Vector2d>& route, double join_m,
+  [[nodiscard]] GraphPath joining(const std::vector<Eigen::Vector2d>& route, double join_m,
                                   double z_m) const;
 
  private:
@@ -73,9 +73,9 @@ class DrivenGround {
     double along_m = 0.0;  ///< of the route
     double length_m = 0.0;
   };
-  [[nodiscard]] DrivenWay search(const std::vector<Source>& sources,
+  [[nodiscard]] GraphPath search(const std::vector<Source>& sources,
                                  const std::vector<Eigen::Vector2d>& route,
-                                 const WayOptions& options) const;
+                                 const PathOptions& options) const;
 
   std::vector<Node> nodes_;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ground that was driven is known in both directions.
-#include "procs/mission/driven_ground.hpp"
+#include "procs/mission/driven_graph.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -61,7 +61,7 @@ class DrivenTunnels : public testing::Test {
 
 TEST_F(DrivenTunnels, LeadIntoATunnelThatTheRobotHasLeft) {
   drive_both();
-  EXPECT_LT(path_.shared_length_m(line({{10.0, 0.0}, {20.0, 0.0}})), 1.01);  // not the way back
+  EXPECT_LT(path_.shared_length_m(line({{10.0, 0.0}, {20.0, 0.0}})), 1.01);  // not the path back
   const auto known = path_.known_part(line({{10.0, 0.0}, {20.0, 0.0}}), true);
   EXPECT_NEAR(known.along_m, 10.0, kStepM);
   ASSERT_GT(known.path_odom.size(), 30U);
@@ -100,7 +100,7 @@ TEST_F(DrivenTunnels, AreNotDrivenBackwardsByARobotThatDoesNotSeeBehind) {
   EXPECT_NEAR(path_.known_part(line({{10.0, 0.0}, {20.0, 0.0}}), false).along_m, 10.0, kStepM);
 }
 
-/// The newest stored pose is behind a robot that goes on forwards, and no place to go back to.
+/// The newest stored pose is behind a robot that drives forwards, so a path does not begin there.
 TEST_F(DrivenTunnels, BeginAtTheBody) {
   drive({0.0, 0.0, 0.0}, {20.0, 0.0, 0.0});
   drive({20.0, 0.0, 0.0}, {10.0, 0.0, 0.0});
@@ -145,7 +145,7 @@ TEST_F(DrivenTunnels, LeadOnIntoAnEarlierOdomFrame) {
   EXPECT_NEAR(path_.known_part(line({{0.0, 0.0}, {-10.0, 0.0}}), true).along_m, 10.0, kStepM);
 }
 
-/// A robot 3 m before the tunnel that it drove, to which it came round another way.
+/// A robot 3 m before the tunnel that it drove, to which it came by another path.
 class GroundToJoin : public DrivenTunnels {
  protected:
   void SetUp() override {
@@ -204,7 +204,7 @@ TEST_F(GroundToJoin, IsNotThatOfAnotherLevel) {
 }
 
 /// Beside a detour of 1.2 m around something that has been taken away since.
-TEST_F(DrivenTunnels, TakeTheShorterOfTwoWays) {
+TEST_F(DrivenTunnels, TakeTheShorterOfTwoPaths) {
   drive({0.0, 0.0, 0.0}, {4.0, 0.0, 0.0});
   drive({4.0, 0.0, 0.0}, {5.0, 0.6, 0.0});
   drive({5.0, 0.6, 0.0}, {6.0, 0.0, 0.0});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mission/driven_ground.hpp"
+#include "procs/mission/driven_graph.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ constexpr double kSameBesideM = 0.1;
 constexpr double kSameRad = 0.1;
 constexpr double kSameLevelM = 2.5;  // heights of the body on one level differ by less
 
-constexpr double kLateralMaxM = 1.0;   // of both ends of a way beside its route
-constexpr double kAsideMaxM = 4.0;     // of the way itself: to turn at a junction
-constexpr double kDetourM = 2.0;       // of a way against its route
+constexpr double kLateralMaxM = 1.0;   // of both ends of a path beside its route
+constexpr double kAsideMaxM = 4.0;     // of the path itself: to turn at a junction
+constexpr double kDetourM = 2.0;       // of a path against its route
 constexpr double kDetourShare = 0.35;  // the same as a share of the length along the route
 constexpr double kDetourMaxM = 8.0;
 constexpr double kJoinFactor = 1.05;
@@ -80,7 +80,7 @@ bool is_same(const DrivenPose& a, const DrivenPose& b) {
          std::abs(T_a_b.y) < kSameBesideM && std::abs(T_a_b.theta) < kSameRad;
 }
 
-std::size_t DrivenGround::add(const DrivenPose& pose, double driven_m) {
+std::size_t DrivenGraph::add(const DrivenPose& pose, double driven_m) {
   const auto same =
       std::ranges::find_if(nodes_, [&](const Node& node) { return is_same(node.pose, pose); });
   const auto node = static_cast<std::size_t>(same - nodes_.begin());
@@ -89,34 +89,34 @@ std::size_t DrivenGround::add(const DrivenPose& pose, double driven_m) {
   return node;
 }
 
-void DrivenGround::update(std::size_t node, const DrivenPose& pose, double driven_m) {
+void DrivenGraph::update(std::size_t node, const DrivenPose& pose, double driven_m) {
   nodes_[node].pose = pose;
   nodes_[node].driven_m = driven_m;
 }
 
-void DrivenGround::connect(std::size_t a, std::size_t b) {
+void DrivenGraph::connect(std::size_t a, std::size_t b) {
   auto& neighbours = nodes_[a].neighbours;
   if (a == b || std::ranges::find(neighbours, b) != neighbours.end()) return;
   neighbours.push_back(b);
   nodes_[b].neighbours.push_back(a);
 }
 
-void DrivenGround::move(const Pose2& T_after_before, double z_after_before_m, double driven_max_m) {
+void DrivenGraph::move(const Pose2& T_after_before, double z_after_before_m, double driven_max_m) {
   for (Node& node : nodes_) {
     if (node.driven_m > driven_max_m) continue;
     node.pose = {T_after_before * node.pose, z_after_before_m + node.pose.z_m};
   }
 }
 
-void DrivenGround::prepend(const DrivenGround& earlier) {
+void DrivenGraph::prepend(const DrivenGraph& earlier) {
   for (Node& node : nodes_) {
     for (std::size_t& neighbour : node.neighbours) neighbour += earlier.size();
   }
   nodes_.insert(nodes_.begin(), earlier.nodes_.begin(), earlier.nodes_.end());
 }
 
-DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
-                              const WayOptions& options) const {
+GraphPath DrivenGraph::along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
+                             const PathOptions& options) const {
   if (route.size() < 2) return {};
   const Progress start =
       Route(route).nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
@@ -124,8 +124,8 @@ DrivenWay DrivenGround::along(std::size_t from, const std::vector<Eigen::Vector2
   return search({{from, start.along_m, 0.0}}, route, options);
 }
 
-DrivenWay DrivenGround::joining(const std::vector<Eigen::Vector2d>& route, double join_m,
-                                double z_m) const {
+GraphPath DrivenGraph::joining(const std::vector<Eigen::Vector2d>& route, double join_m,
+                               double z_m) const {
   if (route.size() < 2) return {};
   const Route places(route);
   std::vector<Source> sources;
@@ -134,27 +134,27 @@ DrivenWay DrivenGround::joining(const std::vector<Eigen::Vector2d>& route, doubl
     const bool is_far = (pose.translation() - route.front()).norm() > join_m + kLateralMaxM;
     if (is_far || !is_same_level(pose.z_m, z_m)) continue;
     const Progress progress = places.nearest(pose.translation(), 0.0, join_m);
-    // A little more than the driven ground costs, so that the way begins as early as it can.
+    // A little more than the driven ground costs, so that the path begins as early as it can.
     if (progress.lateral_m <= kLateralMaxM && progress.along_m < join_m)
       sources.push_back({i, progress.along_m, kJoinFactor * progress.along_m});
   }
   return search(sources, route, {});
 }
 
-/// Dijkstra's search by the length of the way. Each node has its place on the route, which is
-/// sought near that of the node before. A way that pays for a longer part of the route may be
+/// Dijkstra's search by the length of the path. Each node has its place on the route, which is
+/// sought near that of the node before. A path that pays for a longer part of the route may be
 /// longer: where the robot went past a junction and entered it from there, it has to go there to
 /// turn.
-DrivenWay DrivenGround::search(const std::vector<Source>& sources,
-                               const std::vector<Eigen::Vector2d>& route,
-                               const WayOptions& options) const {
+GraphPath DrivenGraph::search(const std::vector<Source>& sources,
+                              const std::vector<Eigen::Vector2d>& route,
+                              const PathOptions& options) const {
   struct Reached {
     double length_m = 0.0;
     double along_m = 0.0;
     double lateral_m = 0.0;
     std::size_t before = 0;
   };
-  using Entry = std::pair<double, std::size_t>;  // length of the way, node
+  using Entry = std::pair<double, std::size_t>;  // length of the path, node
   const Route places(route);
   std::unordered_map<std::size_t, Reached> reached;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -167,7 +167,7 @@ DrivenWay DrivenGround::search(const std::vector<Source>& sources,
     const auto [length_m, at] = open.top();
     open.pop();
     const Reached here = reached.at(at);
-    if (length_m > here.length_m) continue;  // a shorter way was found since
+    if (length_m > here.length_m) continue;  // a shorter path was found since
     const double detour_max_m = std::max(kDetourM, kDetourShare * here.along_m);
     if (here.lateral_m <= kLateralMaxM && length_m <= here.along_m + detour_max_m &&
         (!farthest || here.along_m > reached.at(*farthest).along_m))
@@ -188,17 +188,17 @@ DrivenWay DrivenGround::search(const std::vector<Source>& sources,
       open.emplace(there.length_m, next);
     }
   }
-  DrivenWay way;
-  if (!farthest) return way;
-  way.shared_m = reached.at(*farthest).along_m;
+  GraphPath path;
+  if (!farthest) return path;
+  path.shared_m = reached.at(*farthest).along_m;
   std::size_t at = *farthest;
   while (reached.at(at).before != at) {
-    way.nodes.push_back(at);
+    path.nodes.push_back(at);
     at = reached.at(at).before;
   }
-  way.nodes.push_back(at);
-  std::ranges::reverse(way.nodes);
-  return way;
+  path.nodes.push_back(at);
+  std::ranges::reverse(path.nodes);
+  return path;
 }
 
 }  // namespace adit

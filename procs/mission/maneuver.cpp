@@ -59,6 +59,13 @@ std::vector<Pose2> first_part_of(const std::vector<Pose2>& path, double length_m
   return first;
 }
 
+/// By how much the last pose of a path lies beyond the end of its route, along the last leg [m].
+double beyond_end_m(const std::vector<Pose2>& path, const std::vector<Eigen::Vector2d>& route) {
+  if (path.empty() || route.size() < 2) return 0.0;
+  const Eigen::Vector2d along = (route.back() - route[route.size() - 2]).stableNormalized();
+  return std::max(0.0, along.dot(path.back().translation() - route.back()));
+}
+
 double length_of_line_m(const std::vector<Eigen::Vector2d>& line) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < line.size(); ++i) length_m += (line[i] - line[i - 1]).norm();
@@ -183,7 +190,8 @@ std::optional<Rejoin> Retracing::transit(const TraversedPath& path,
                                          bool may_reverse) const {
   if (failed_) return std::nullopt;
   const auto known = path.known_part(route_odom, may_reverse);
-  const double known_m = length_of_path_m(known.path_odom);
+  const double known_m =
+      length_of_path_m(known.path_odom) - beyond_end_m(known.path_odom, route_odom);
   const bool to_end =
       ends_at_route_end && known.along_m >= length_of_line_m(route_odom) - kPoseSpacingM;
   const double left_m = kUnscannedMaxM - unscanned_m;

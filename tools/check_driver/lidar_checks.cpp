@@ -11,19 +11,14 @@
 
 #include <fmt/format.h>
 
+#include "common/geometry/order_statistics.hpp"
+
 namespace adit {
 namespace {
 
 using Verdict = CheckResult::Verdict;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-double median(std::vector<double> numbers) {
-  if (numbers.empty()) return 0.0;
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::ranges::nth_element(numbers, middle);
-  return *middle;
-}
 
 double median_range_m(const LidarRevolution& revolution, std::size_t ring) {
   std::vector<double> ranges_m;

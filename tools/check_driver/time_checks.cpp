@@ -9,18 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "common/geometry/order_statistics.hpp"
+
 namespace adit {
 namespace {
 
 using Verdict = CheckResult::Verdict;
-
-/// The value that a share of the numbers does not exceed; they are not empty.
-double quantile(std::vector<double> numbers, double share) {
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1));
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(at);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
 
 std::vector<double> steps_ms(const std::vector<std::int64_t>& times) {
   std::vector<double> steps;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <functional>
@@ -18,6 +16,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/geometry/order_statistics.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/service/wall_time.hpp"
 #include "tests/support/lasers/driver_process.hpp"
@@ -100,10 +99,7 @@ class LiveDriver {
   /// Median over the readings so far: on a busy machine the emulator itself is late now and then.
   [[nodiscard]] double stamp_error_ms() const {
     if (stamp_errors_ms_.empty()) return std::numeric_limits<double>::infinity();
-    std::vector<double> errors_ms = stamp_errors_ms_;
-    const auto middle = errors_ms.begin() + static_cast<std::ptrdiff_t>(errors_ms.size() / 2);
-    std::ranges::nth_element(errors_ms, middle);
-    return *middle;
+    return median(stamp_errors_ms_);
   }
 
   std::optional<Health> health;

@@ -23,6 +23,20 @@ class MissionInTransit : public ScriptedStages {
     ASSERT_EQ(now(), Phase::kExplore);
     ASSERT_EQ(scans_, 2);
   }
+
+  /// 28 m farther into the mine, a scan for a route home.
+  void scan_after_thirty_metres() {
+    reach_m_ = 20.0;
+    answer(Kind::kGoTo, 1);
+    terrain();
+    path(PlanOutcome::kFound);
+    drive(28.0);
+    arrive();
+    reach_m_ = -12.0;
+    answer(Kind::kHome);
+    ASSERT_EQ(now(), Phase::kScan);
+    terrain();
+  }
 };
 
 TEST_F(MissionInTransit, DrivesBackAlongTheTraversedPathWithoutAScan) {
@@ -60,16 +74,7 @@ TEST_F(MissionInTransit, ScansAfterADriveWithoutScansThatFailed) {
 }
 
 TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
-  reach_m_ = 20.0;
-  answer(Kind::kGoTo, 1);
-  terrain();
-  path(PlanOutcome::kFound);
-  drive(28.0);
-  arrive();
-  reach_m_ = -12.0;
-  answer(Kind::kHome);
-  ASSERT_EQ(now(), Phase::kScan);
-  terrain();
+  scan_after_thirty_metres();
   ASSERT_EQ(now(), Phase::kPlan);
   tick();
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);  // and continues along the traversed path
@@ -80,16 +85,7 @@ TEST_F(MissionInTransit, ScansAfterThirtyMetresWithoutAScan) {
 }
 
 TEST_F(MissionInTransit, FollowsTheRouteWhereNoPathLeadsOntoDrivenGraph) {
-  reach_m_ = 20.0;
-  answer(Kind::kGoTo, 1);
-  terrain();
-  path(PlanOutcome::kFound);
-  drive(28.0);
-  arrive();
-  reach_m_ = -12.0;
-  answer(Kind::kHome);
-  ASSERT_EQ(now(), Phase::kScan);
-  terrain();
+  scan_after_thirty_metres();
   tick();
   ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
   const int scans = scans_;
@@ -101,8 +97,6 @@ TEST_F(MissionInTransit, FollowsTheRouteWhereNoPathLeadsOntoDrivenGraph) {
   path(PlanOutcome::kFound);
   EXPECT_EQ(now(), Phase::kExecute);
 }
-
-constexpr double kSpacingM = 0.21;  // of the poses
 
 class TransitHome : public testing::Test {
  protected:
@@ -123,11 +117,11 @@ class TransitHome : public testing::Test {
 };
 
 TEST_F(TransitHome, NeedsNoScanForTheLastMetres) {
-  EXPECT_NEAR(length_m(28.0, 0.0).value(), 28.0, kSpacingM);
-  EXPECT_NEAR(length_m(33.0, 0.0).value(), 33.0, kSpacingM);  // 3 m more than without a scan
-  EXPECT_NEAR(length_m(36.0, 0.0).value(), 30.0, kSpacingM);  // a scan there, and 6 m more
-  EXPECT_NEAR(length_m(1.5, 10.0).value(), 1.5, kSpacingM);
-  EXPECT_NEAR(length_m(3.0, 29.0).value(), 3.0, kSpacingM);
+  EXPECT_NEAR(length_m(28.0, 0.0).value(), 28.0, 1e-6);
+  EXPECT_NEAR(length_m(33.0, 0.0).value(), 33.0, 1e-6);  // 3 m more than without a scan
+  EXPECT_NEAR(length_m(36.0, 0.0).value(), 30.0, 1e-6);  // a scan there, and 6 m more
+  EXPECT_NEAR(length_m(1.5, 10.0).value(), 1.5, 1e-6);
+  EXPECT_NEAR(length_m(3.0, 29.0).value(), 3.0, 1e-6);
   EXPECT_FALSE(length_m(5.0, 29.5));
   EXPECT_FALSE(length_m(0.5, 10.0));  // too short a path to retrace
 }

@@ -18,6 +18,7 @@
 
 #include "common/messages/codec.hpp"
 #include "common/messages/sensing.hpp"
+#include "tests/unit/tools/check_driver/bad_results.hpp"
 
 namespace adit {
 namespace {
@@ -75,15 +76,6 @@ CheckResults results_of(const std::vector<LaserScan>& scans, double imu_sign = 1
     check.add("LASER_FRONT", encode(to_message(scan)), arrival);
   }
   return check.results();
-}
-
-/// "property: text" of those that are bad.
-std::vector<std::string> bad(const CheckResults& results) {
-  std::vector<std::string> lines;
-  for (const CheckResult& result : results) {
-    if (result.verdict == Verdict::kBad) lines.push_back(result.property + ": " + result.text);
-  }
-  return lines;
 }
 
 const CheckResult& result_of(const CheckResults& results, const std::string& property) {

@@ -17,6 +17,7 @@
 
 #include "common/messages/codec.hpp"
 #include "common/messages/lidar.hpp"
+#include "tests/unit/tools/check_driver/bad_results.hpp"
 #include "tools/check_driver/driver_check.hpp"
 
 namespace adit {
@@ -66,14 +67,6 @@ CheckResults results_of(const std::vector<LidarRevolution>& revolutions) {
       check.add("LIDAR", encode(to_message(fragment)), revolution.utime + kPeriodUs + 2000);
   }
   return check.results();
-}
-
-std::vector<std::string> bad(const CheckResults& results) {
-  std::vector<std::string> lines;
-  for (const CheckResult& result : results) {
-    if (result.verdict == Verdict::kBad) lines.push_back(result.property + ": " + result.text);
-  }
-  return lines;
 }
 
 TEST(LidarCheck, FindsAGoodLidarGood) {

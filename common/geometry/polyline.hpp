@@ -18,6 +18,13 @@ class Polyline {
   [[nodiscard]] double length_m() const { return at_m_.back(); }
   /// The point at a distance along the line [m]; beyond its ends, the end.
   [[nodiscard]] Eigen::Vector2d at(double distance_m) const;
+  /// The place on a line of a point beside it.
+  struct Nearest {
+    double at_m = 0.0;      ///< distance along the line
+    double beside_m = 0.0;  ///< of the point from it; infinite if the part has no length
+  };
+  /// The nearest place between two distances along the line, which may cross itself [m].
+  [[nodiscard]] Nearest nearest(const Eigen::Vector2d& p, double from_m, double to_m) const;
   /// The chord over `reach_m` to either side, as far as the line goes: its direction there. Zero
   /// for a line without length.
   [[nodiscard]] Eigen::Vector2d chord_at(double distance_m, double reach_m) const;

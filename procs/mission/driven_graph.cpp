@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "common/geometry/polyline.hpp"
+
 namespace adit {
 namespace {
 
@@ -28,44 +30,6 @@ constexpr double kJoinFactor = 1.05;
 constexpr double kSearchM = 2.0;     // for the place on the route of the next node
 constexpr double kGapM = 0.5;        // longer edges were torn by a correction of the map
 constexpr double kBackwardM = 0.05;  // less is the noise of a turn on the spot
-
-/// The place on a route of a point beside it.
-struct Progress {
-  double along_m = 0.0;    ///< from its beginning
-  double lateral_m = 0.0;  ///< distance from the route
-};
-
-/// A route by the length along it. It may cross itself, so a point is sought on a part of it only.
-class Route {
- public:
-  explicit Route(const std::vector<Eigen::Vector2d>& points) : points_(points) {
-    along_m_.push_back(0.0);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      along_m_.push_back(along_m_.back() + (points[i] - points[i - 1]).norm());
-  }
-
-  /// The nearest place on the route between two lengths along it.
-  [[nodiscard]] Progress nearest(const Eigen::Vector2d& p, double from_m, double to_m) const {
-    Progress best{0.0, std::numeric_limits<double>::infinity()};
-    const auto past = std::ranges::upper_bound(along_m_, from_m) - along_m_.begin();
-    for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(past, 1));
-         i < points_.size() && along_m_[i - 1] <= to_m; ++i) {
-      const Eigen::Vector2d leg = points_[i] - points_[i - 1];
-      const double leg_m = along_m_[i] - along_m_[i - 1];
-      if (leg_m <= 0.0) continue;
-      const double on_leg_m = std::clamp((p - points_[i - 1]).dot(leg) / leg_m,
-                                         std::clamp(from_m - along_m_[i - 1], 0.0, leg_m),
-                                         std::clamp(to_m - along_m_[i - 1], 0.0, leg_m));
-      const double lateral_m = (points_[i - 1] + on_leg_m / leg_m * leg - p).norm();
-      if (lateral_m < best.lateral_m) best = {along_m_[i - 1] + on_leg_m, lateral_m};
-    }
-    return best;
-  }
-
- private:
-  const std::vector<Eigen::Vector2d>& points_;
-  std::vector<double> along_m_;  ///< of each point
-};
 
 }  // namespace
 
@@ -118,25 +82,25 @@ void DrivenGraph::prepend(const DrivenGraph& earlier) {
 GraphPath DrivenGraph::along(std::size_t from, const std::vector<Eigen::Vector2d>& route,
                              const PathOptions& options) const {
   if (route.size() < 2) return {};
-  const Progress start =
-      Route(route).nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
-  if (start.lateral_m > kLateralMaxM) return {};
-  return search({{from, start.along_m, 0.0}}, route, options);
+  const Polyline::Nearest start =
+      Polyline(route).nearest(nodes_[from].pose.translation(), 0.0, kLateralMaxM + kDetourM);
+  if (start.beside_m > kLateralMaxM) return {};
+  return search({{from, start.at_m, 0.0}}, route, options);
 }
 
 GraphPath DrivenGraph::joining(const std::vector<Eigen::Vector2d>& route, double join_m,
                                double z_m) const {
   if (route.size() < 2) return {};
-  const Route places(route);
+  const Polyline places(route);
   std::vector<Source> sources;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const DrivenPose& pose = nodes_[i].pose;
     const bool is_far = (pose.translation() - route.front()).norm() > join_m + kLateralMaxM;
     if (is_far || !is_same_level(pose.z_m, z_m)) continue;
-    const Progress progress = places.nearest(pose.translation(), 0.0, join_m);
+    const Polyline::Nearest place = places.nearest(pose.translation(), 0.0, join_m);
     // A little more than the driven ground costs, so that the path begins as early as it can.
-    if (progress.lateral_m <= kLateralMaxM && progress.along_m < join_m)
-      sources.push_back({i, progress.along_m, kJoinFactor * progress.along_m});
+    if (place.beside_m <= kLateralMaxM && place.at_m < join_m)
+      sources.push_back({i, place.at_m, kJoinFactor * place.at_m});
   }
   return search(sources, route, {});
 }
@@ -155,7 +119,7 @@ GraphPath DrivenGraph::search(const std::vector<Source>& sources,
     std::size_t before = 0;
   };
   using Entry = std::pair<double, std::size_t>;  // length of the path, node
-  const Route places(route);
+  const Polyline places(route);
   std::unordered_map<std::size_t, Reached> reached;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (const Source& source : sources) {
@@ -177,10 +141,10 @@ GraphPath DrivenGraph::search(const std::vector<Source>& sources,
       const double step_m = step.translation().norm();
       if (step_m > kGapM || (!options.may_reverse && step.x < -kBackwardM)) continue;
       if (options.among && !options.among->contains(next)) continue;
-      const Progress progress =
+      const Polyline::Nearest place =
           places.nearest(nodes_[next].pose.translation(), here.along_m - kSearchM,
                          here.along_m + step_m + kSearchM);
-      const Reached there{length_m + step_m, progress.along_m, progress.lateral_m, at};
+      const Reached there{length_m + step_m, place.at_m, place.beside_m, at};
       if (there.lateral_m > kAsideMaxM || there.length_m > there.along_m + kDetourMaxM) continue;
       const auto [known, is_new] = reached.emplace(next, there);
       if (!is_new && known->second.length_m <= there.length_m) continue;

@@ -48,17 +48,6 @@ std::vector<Eigen::Vector2d> first_part_of(const std::vector<Eigen::Vector2d>& l
   return first;
 }
 
-/// The first poses, over this path length at most or just beyond.
-std::vector<Pose2> first_part_of(const std::vector<Pose2>& path, double length_m) {
-  std::vector<Pose2> first{path.front()};
-  double left_m = length_m;
-  for (std::size_t i = 1; i < path.size() && left_m > 0.0; ++i) {
-    left_m -= (path[i].translation() - path[i - 1].translation()).norm();
-    first.push_back(path[i]);
-  }
-  return first;
-}
-
 /// By how much the last pose of a path lies beyond the end of its route, along the last leg [m].
 double beyond_end_m(const std::vector<Pose2>& path, const std::vector<Eigen::Vector2d>& route) {
   if (path.empty() || route.size() < 2) return 0.0;

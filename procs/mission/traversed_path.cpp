@@ -19,20 +19,21 @@ constexpr double kSpacingM = 0.2;  // of poses; more than the pose noise of a st
 constexpr double kSpacingRad = 0.1;
 constexpr std::size_t kRecentMax = 40;  // poses, 8 m
 
-/// From the body over the poses of elements, the last one first, over this path length at most.
-template <class Elements, class PoseOf>
-std::vector<Pose2> backwards(const Pose2& T_odom_body, const Elements& elements, double length_m,
+/// From a pose over those of the elements from `next` on, over this path length or just beyond.
+template <class Element, class PoseOf>
+std::vector<Pose2> path_over(const Pose2& T_odom_start, Element next, Element end, double length_m,
                              const PoseOf& pose_of) {
-  std::vector<Pose2> path{T_odom_body};
+  std::vector<Pose2> path{T_odom_start};
   double path_length_m = 0.0;
-  for (auto element = elements.rbegin(); element != elements.rend() && path_length_m < length_m;
-       ++element) {
-    const Pose2& pose = pose_of(*element);
+  for (; next != end && path_length_m < length_m; ++next) {
+    const Pose2& pose = pose_of(*next);
     path_length_m += (pose.translation() - path.back().translation()).norm();
     path.push_back(pose);
   }
   return path;
 }
+
+const Pose2& itself(const Pose2& pose) { return pose; }
 
 struct PlanarRecord {  // as before heights were stored
   std::int64_t odom_epoch_utime = 0;
@@ -112,18 +113,21 @@ void TraversedPath::correct(const Pose2& T_after_before, double z_after_before_m
 
 std::vector<Pose2> TraversedPath::back(double length_m) const {
   if (!T_odom_body_) return {};
-  return backwards(*T_odom_body_, trail_, length_m,
+  return path_over(*T_odom_body_, trail_.rbegin(), trail_.rend(), length_m,
                    [&](std::size_t node) -> const Pose2& { return ground_.pose(node); });
 }
 
 std::vector<Pose2> TraversedPath::recent(double length_m) const {
   if (!T_odom_body_) return {};
-  return backwards(*T_odom_body_, recent_, length_m,
-                   [](const Pose2& pose) -> const Pose2& { return pose; });
+  return path_over(*T_odom_body_, recent_.rbegin(), recent_.rend(), length_m, itself);
 }
 
 double TraversedPath::back_length_m(double length_m) const {
   return length_of_path_m(back(length_m));
+}
+
+std::vector<Pose2> first_part_of(const std::vector<Pose2>& path, double length_m) {
+  return path_over(path.front(), path.begin() + 1, path.end(), length_m, itself);
 }
 
 double length_of_path_m(const std::vector<Pose2>& path) {

@@ -90,6 +90,9 @@ class TraversedPath {
   std::vector<std::size_t> previous_trail_;
 };
 
+/// The first poses of a path, which is not empty, over this path length or just beyond.
+std::vector<Pose2> first_part_of(const std::vector<Pose2>& path, double length_m);
+
 /// Length of the line through poses [m]. Turns on the spot have none.
 double length_of_path_m(const std::vector<Pose2>& path);
 

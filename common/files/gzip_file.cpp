@@ -27,7 +27,7 @@ void GzipFile::End::operator()(z_stream_s* stream) const {
   delete stream;
 }
 
-GzipFile::GzipFile(const std::filesystem::path& path) {
+GzipFile::GzipFile(const std::filesystem::path& path) : path_(path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) file_.open(path, std::ios::binary);
   if (!file_.is_open()) throw FileError("cannot read " + path.string());
@@ -51,6 +51,7 @@ bool GzipFile::fill() {
   const std::size_t kept = input_.size();
   input_.resize(kept + kInputBytes);
   file_.read(input_.data() + kept, kInputBytes);
+  if (file_.bad()) throw FileError(path_.string() + ": the disk cannot read it to its end");
   const auto got = static_cast<std::size_t>(file_.gcount());
   input_.resize(kept + got);
   bytes_read_ += got;

@@ -19,7 +19,7 @@ namespace adit {
 /// before an error and takes a damaged member for the end of the file.
 class GzipFile {
  public:
-  /// Throws FileError if the file cannot be opened.
+  /// This and `read` throw FileError if the file cannot be opened or the disk cannot read it.
   explicit GzipFile(const std::filesystem::path& path);
   ~GzipFile();
   GzipFile(GzipFile&&) noexcept;
@@ -45,6 +45,7 @@ class GzipFile {
   void fail();
   [[nodiscard]] std::size_t bytes_used() const;
 
+  std::filesystem::path path_;
   std::ifstream file_;
   std::size_t size_bytes_ = 0;
   std::size_t bytes_read_ = 0;

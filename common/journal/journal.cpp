@@ -30,6 +30,15 @@ void discard_partial_record(const LockedFile& file, std::uint64_t end) {
   }
 }
 
+/// Zeros after the last record are space that was reserved, unless the disk could not read them.
+JournalScan scan_of(const MappedFile& file) {
+  JournalScan scan = scan_journal(file.bytes());
+  if (file.is_readable(file.bytes().last(scan.truncated_bytes))) return scan;
+  const std::size_t bytes = std::exchange(scan.truncated_bytes, 0);
+  scan.corrupt.push_back({scan.bytes - bytes, bytes});
+  return scan;
+}
+
 /// The records of all copies, and the bytes to which they refer.
 class OpenedCopies {
  public:
@@ -37,7 +46,7 @@ class OpenedCopies {
   explicit OpenedCopies(const std::vector<fs::path>& paths) {
     for (const fs::path& path : paths) {
       files_.push_back(std::make_unique<MappedFile>(path));
-      scans_.push_back(scan_journal(files_.back()->bytes()));
+      scans_.push_back(scan_of(*files_.back()));
     }
     contents_ = join_copies(scans_);
     if (contents_.records.empty() && !may_be_journal(files_.front()->bytes())) {

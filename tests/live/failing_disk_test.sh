@@ -6,7 +6,9 @@
 # Every command of adit that writes files, on a disk that fails (failing_disk.cpp): at once, after half and shortly before
 # the end of what the command writes (EIO, ENOSPC), when the file is synchronised, closed or renamed; and on one that
 # takes few bytes at a time and interrupts (short writes), which must not change a byte. A command fails with 2 and
-# one line, and leaves complete files under their names only. --table prints a row for each command and fault.
+# one line, and leaves complete files under their names only. Then on a disk that cannot read its inputs, nothing of
+# them or not their second half: a command fails so, or says what it could not read. Then journals of which the disk
+# cannot read a part. --table prints a row for each command and fault.
 set -u
 adit=$1; shim=$2; table=${3:-}
 here=$(dirname "$(readlink -f "$0")")
@@ -39,7 +41,7 @@ with_fault() {
   local settings=()
   while [[ $1 != -- ]]; do settings+=("$1"); shift; done; shift
   rm -rf ./* ./.[!.]*
-  env "${settings[@]}" FAIL_BELOW="$scratch/work" LD_PRELOAD="$shim" "$adit" "$@" >/dev/null 2>../err
+  env FAIL_BELOW="$scratch/work" "${settings[@]}" LD_PRELOAD="$shim" "$adit" "$@" >../text 2>../err
 }
 # Files with run times and random keys differ in these and keep their form; the others are equal to the byte.
 is_same() {
@@ -48,6 +50,16 @@ is_same() {
     *.key) [[ $(stat -c %s "$1") == $(stat -c %s "../reference/$1") ]] ;;
     *) cmp -s "$1" "../reference/$1" ;;
   esac
+}
+# check_failure WHAT CODE
+check_failure() {
+  [[ $2 == 2 ]] || complain "$1: exits with $2"
+  local lines; lines=$(grep -vc "no pose graph with a map correction" ../err)
+  [[ $lines == 1 ]] || complain "$1: prints $lines lines"
+}
+check_left() {
+  left=$(outputs)
+  for file in $left; do is_same "$file" || complain "$1: leaves a part of $file"; done
 }
 row() { [[ -n $table ]] && echo "| \`adit $1\` | $2 | $3 | $(tail -1 ../err | head -c 90 | sed "s|$scratch|DIR|g; s/|/\\\\|/g") | ${4:-none} |"; }
 
@@ -71,18 +83,45 @@ for command in "${commands[@]}"; do
   for fault in "${faults[@]}"; do
     read -ra settings <<<"$fault"
     with_fault "${settings[@]}" -- "${arguments[@]}"; code=$?
-    left=$(outputs)
-    for file in $left; do is_same "$file" || complain "$command, $fault: leaves a part of $file"; done
+    check_left "$command, $fault"
     if [[ $code == 0 ]]; then  # it never makes this call: then everything is there
       [[ $fault == *FAIL_CALL=* ]] || complain "$command, $fault: exits with 0"
       for file in $(cd ../reference && outputs); do [[ -e $file ]] || complain "$command, $fault: no $file, exit code 0"; done
     else
-      [[ $code == 2 ]] || complain "$command, $fault: exits with $code"
-      lines=$(grep -vc "no pose graph with a map correction" ../err)
-      [[ $lines == 1 ]] || complain "$command, $fault: prints $lines lines"
+      check_failure "$command, $fault" $code
     fi
     row "$command" "$(sed "s/FAIL_AFTER=0 FAIL_CALL=/EIO in /; s/FAIL_AFTER=\([0-9]*\) FAIL_WITH=\([A-Z]*\)/\2 after \1 bytes/" <<<"$fault")" \
       $code "$(echo $left)"
   done
+
+  # The size of the largest input.
+  size=$(grep -o '\.\./in/[^ ]*' <<<"$command" | xargs -r -I{} find {} -type f -printf '%s\n' | sort -n | tail -1)
+  [[ -n $size ]] || continue
+  for after in 0 $((size / 2)); do
+    with_fault FAIL_BELOW="$scratch/in" FAIL_CALL=read FAIL_AFTER=$after -- "${arguments[@]}"; code=$?
+    if [[ $code != 0 ]]; then
+      check_failure "$command, unreadable from byte $after" $code
+      check_left "$command, unreadable from byte $after"
+    elif ! grep -q "cannot read\|corrupt" ../err ../text; then  # then it has not used what cannot be read
+      for file in $(cd ../reference && outputs); do
+        is_same "$file" || complain "$command, unreadable from byte $after: another $file, without a word"
+      done
+    fi
+    row "$command" "EIO when reading, from byte $after" $code "$(echo $(outputs))"
+  done
 done
+
+# A journal and its copy: the disk cannot read 8 kB in the middle of one of them, then the end of both.
+rm -rf ./* ../journals && mkdir ../journals
+"$adit" map ../in/in.lcmlog --out ../journals/first >/dev/null 2>../err || complain "no journal"
+size=$(stat -c %s ../journals/first/map.journal)
+resume() {
+  with_fault FAIL_CALL=read "$@" -- map ../in/in.lcmlog --out out --resume ../journals/first; code=$?
+}
+resume FAIL_BELOW="$scratch/journals/first/map.journal" FAIL_AFTER=$((size / 2)) FAIL_BYTES=8192
+[[ $code == 0 ]] && grep -q "taken from the other copy, nothing lost" ../err || complain "a journal with a bad place"
+resume FAIL_BELOW="$scratch/journals/first/" FAIL_AFTER=$((size / 2))
+[[ $code == 2 ]] || grep -q "an unknown number of records at the end lost" ../err || complain "two journals without their ends"
+resume FAIL_BELOW="$scratch/journals/first/" FAIL_AFTER=0
+check_failure "two journals that cannot be read" $code
 [[ $failures == 0 ]]

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
+#include "common/files/file_error.hpp"
 #include "common/files/mapped_file.hpp"
 #include "tools/cloud/text_lines.hpp"
 
@@ -64,12 +65,16 @@ PointCloud read_cloud_file(const std::filesystem::path& file) {
   const MappedFile mapped(file);
   try {
     PointCloud cloud = read(mapped.bytes(), lower_case_extension(file));
+    mapped.require_readable();
     if (!cloud.points.empty()) return cloud;
     throw std::runtime_error(
         cloud.skipped == 0
             ? "file has no points"
             : "no valid point: all are not finite or farther than 100 km from the origin");
+  } catch (const FileError&) {
+    throw;
   } catch (const std::runtime_error& error) {
+    mapped.require_readable();
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   }
 }

@@ -16,6 +16,8 @@
 #include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
 #include "common/files/file_utils.hpp"
+#include "common/files/mapped_file.hpp"
+#include "common/files/output_file.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
@@ -79,6 +81,16 @@ ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
   return configured_node<MappingNode>(kStage, yaml, params);
 }
 
+/// What the disk cannot read is zeros in the copy, which a journal finds to be damaged.
+void copy_readable(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const MappedFile file(from);
+  OutputFile copy(to, to);
+  const auto bytes = file.bytes();
+  (void)file.is_readable(bytes);  // a system call fails on a page that an access makes zeros
+  copy.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  copy.close();
+}
+
 /// Copies the journal of an earlier run, both copies of it, into the folder and returns its
 /// content.
 StoredMap load_resumed_map(const std::filesystem::path& resume,
@@ -90,10 +102,9 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
   if (!std::filesystem::is_regular_file(journal) && !has_copy) {
     throw std::runtime_error(fmt::format("no map to resume: {} does not exist", journal.string()));
   }
-  if (std::filesystem::is_regular_file(journal))
-    std::filesystem::copy_file(journal, folder / kJournal);
-  if (has_copy) std::filesystem::copy_file(resume / copy, folder / copy);
-  StoredMap stored = read_map_journal(folder / kJournal);
+  if (std::filesystem::is_regular_file(journal)) copy_readable(journal, folder / kJournal);
+  if (has_copy) copy_readable(resume / copy, folder / copy);
+  StoredMap stored = read_map_journal(journal);
   if (stored.maps.empty()) {
     throw std::runtime_error(fmt::format("no map to resume: no local map in {}", journal.string()));
   }

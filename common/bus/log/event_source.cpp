@@ -40,6 +40,17 @@ LogHealth health_of(const ZstdDecoder::Damage& damage) {
   return {0, damage.corrupt_bytes, damage.corrupt_regions, damage.truncated_bytes};
 }
 
+/// Whether the disk can read an event of a file; one that it cannot read becomes a corrupt region.
+bool is_readable(const LogEventView& event, const MappedFile& file, LogHealth& health) {
+  const auto* const begin = reinterpret_cast<const std::uint8_t*>(event.channel.data());
+  const auto bytes = static_cast<std::size_t>(event.data.data() + event.data.size() - begin);
+  if (file.is_readable({begin, bytes})) return true;
+  --health.events;
+  ++health.corrupt_regions;
+  health.corrupt_bytes += log_format::kHeaderBytes + bytes;
+  return false;
+}
+
 }  // namespace
 
 EventList::EventList(std::vector<LogEvent> events) : events_(std::move(events)) {
@@ -88,6 +99,7 @@ std::optional<LogEventView> LogReader::next() {
     unpack_more();
     event = parser_.next();
   }
+  while (event && !decoder_ && !is_readable(*event, file_, before_)) event = parser_.next();
   release(file_, decoder_ ? decoder_->position() : event_begin, released_);
   return event;
 }
@@ -107,6 +119,7 @@ LogHealth LogReader::health() const {
   LogHealth health = before_;
   health += parser_.health();
   if (decoder_) health += health_of(decoder_->damage());
+  health.unreadable_bytes = file_.unreadable_bytes();
   return health;
 }
 
@@ -120,12 +133,15 @@ LogFile::LogFile(const std::filesystem::path& path, const TimeOf& time_of) : byt
   LogParser parser(bytes_.bytes());
   while (auto event = parser.next()) {
     bytes_.release_before(event->channel.data());
+    if (!is_readable(*event, bytes_.plain(), health_)) continue;
     if (time_of) event->utime = time_of(*event);
     events_.push_back(*event);
   }
-  health_ = parser.health();
+  health_ += parser.health();
   health_ += health_of(bytes_.damage());
+  health_.unreadable_bytes = bytes_.unreadable_bytes();
   if (events_.empty() && !bytes_.bytes().empty()) {
+    bytes_.plain().require_readable();
     throw std::runtime_error(path.string() + ": not an LCM log");
   }
   sort_by_time(events_);

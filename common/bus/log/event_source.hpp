@@ -51,10 +51,14 @@ class LogBytes {
   void release_before(const void* byte);
   /// Of the compression.
   [[nodiscard]] const ZstdDecoder::Damage& damage() const { return damage_; }
-
- private:
+  /// Of the file and what it is unpacked into.
+  [[nodiscard]] std::size_t unreadable_bytes() const {
+    return file_.unreadable_bytes() + (unpacked_ ? unpacked_->unreadable_bytes() : 0);
+  }
+  /// The file that holds `bytes`.
   [[nodiscard]] const MappedFile& plain() const { return unpacked_ ? *unpacked_ : file_; }
 
+ private:
   MappedFile file_;
   std::optional<MappedFile> unpacked_;
   ZstdDecoder::Damage damage_;
@@ -82,7 +86,7 @@ class LogReader {
   std::optional<ZstdDecoder> decoder_;  ///< of a compressed file
   std::vector<std::uint8_t> window_;    ///< of its content
   bool unpacked_ = true;                ///< the window has the end of the content
-  LogHealth before_;                    ///< of the windows before
+  LogHealth before_;                    ///< of the windows before, and of unreadable events
   LogParser parser_;                    ///< of the file, or of the window
   std::size_t released_ = 0;
 };

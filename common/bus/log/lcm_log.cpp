@@ -18,6 +18,7 @@ LogHealth& LogHealth::operator+=(const LogHealth& part) {
   corrupt_bytes += part.corrupt_bytes;
   corrupt_regions += part.corrupt_regions;
   truncated_bytes += part.truncated_bytes;
+  unreadable_bytes += part.unreadable_bytes;
   return *this;
 }
 
@@ -25,6 +26,9 @@ std::vector<std::string> damage_warnings(const LogHealth& health, const std::str
   std::vector<std::string> warnings;
   if (health.corrupt_bytes > 0)
     warnings.push_back(fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, file));
+  if (health.unreadable_bytes > 0)
+    warnings.push_back(
+        fmt::format("the disk cannot read {} bytes of {}", health.unreadable_bytes, file));
   if (health.truncated_bytes > 0) warnings.push_back(file + " is truncated within an event");
   return warnings;
 }

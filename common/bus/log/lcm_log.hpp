@@ -51,9 +51,10 @@ namespace adit {
 /// Integrity of a log.
 struct LogHealth {
   std::size_t events = 0;
-  std::size_t corrupt_bytes = 0;    ///< skipped, in all corrupt regions
-  std::size_t corrupt_regions = 0;  ///< times that the reader searched for the next event
-  std::size_t truncated_bytes = 0;  ///< of an incomplete event at the end of the file
+  std::size_t corrupt_bytes = 0;     ///< skipped, in all corrupt regions
+  std::size_t corrupt_regions = 0;   ///< times that the reader searched for the next event
+  std::size_t truncated_bytes = 0;   ///< of an incomplete event at the end of the file
+  std::size_t unreadable_bytes = 0;  ///< in pages that the disk could not read
 
   LogHealth& operator+=(const LogHealth& part);
 };

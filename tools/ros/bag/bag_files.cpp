@@ -109,6 +109,7 @@ std::unique_ptr<NewFile> unpacked_file(const fs::path& path, BagDamage& damage) 
     output.write({reinterpret_cast<const char*>(content.data()), content.size()});
     content.clear();
   }
+  packed.require_readable();
   output.close();
   damage.corrupt_regions += decoder.damage().corrupt_regions;
   damage.corrupt_bytes += decoder.damage().corrupt_bytes;
@@ -134,7 +135,11 @@ class BagFile final : public BagReader {
     }
   }
 
-  std::optional<BagMessage> next() override { return reader_->next(); }
+  std::optional<BagMessage> next() override {
+    auto message = reader_->next();
+    if (file_) file_->require_readable();
+    return message;
+  }
   [[nodiscard]] const std::vector<BagTopic>& topics() const override { return reader_->topics(); }
   [[nodiscard]] BagDamage damage() const override {
     BagDamage all = of_compression_;

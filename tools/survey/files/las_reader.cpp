@@ -87,9 +87,10 @@ void read_las(const std::filesystem::path& path,
     if (!(point.plan_sd_m >= 0.0F && point.z_sd_m >= 0.0F && std::isfinite(point.plan_sd_m) &&
           std::isfinite(point.z_sd_m)))
       fail(path, fmt::format("point {} has no standard deviation", i + 1));
-    visit(point);
+    visit(point);  // until the end it is not known whether the disk can read the file
     if (i % kReleaseEveryPoints == 0) file.release(first, begin);
   }
+  file.require_readable();
 }
 
 }  // namespace adit

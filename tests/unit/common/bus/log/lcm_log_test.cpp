@@ -127,6 +127,30 @@ TEST(Log, MayBeEmpty) {
   EXPECT_EQ(LogFile(path).size(), 0U);
 }
 
+/// A disk that cannot read a part of a log: here the file is truncated after it was opened.
+TEST(Log, SkipsEventsThatTheDiskCannotRead) {
+  constexpr int kEvents = 1000;
+  const auto path = scratch("unreadable.lcmlog");
+  write(log_of(kEvents), path);
+  LogReader reader(path);
+  constexpr std::size_t kReadable = std::size_t{5} * 4096;
+  std::filesystem::resize_file(path, kReadable);
+  std::int64_t read = 0;
+  while (const auto event = reader.next()) {
+    EXPECT_EQ(event->utime, read);
+    const Bytes data(event->data.begin(), event->data.end());
+    EXPECT_EQ(data, Bytes(kData, static_cast<std::uint8_t>(read)));
+    ++read;
+  }
+  EXPECT_EQ(read, kReadable / kEvent);
+  const LogHealth health = reader.health();
+  EXPECT_EQ(health.events, kReadable / kEvent);
+  EXPECT_EQ(health.corrupt_bytes, (kEvents - kReadable / kEvent) * kEvent);
+  // The last page of the file is not full.
+  EXPECT_EQ(health.unreadable_bytes, kEvents * kEvent / 4096 * 4096 + 4096 - kReadable);
+  EXPECT_EQ(damage_warnings(health, "LOG").size(), 2U);
+}
+
 TEST(Log, RejectsAFileThatIsNotALogWithItsPath) {
   const auto path = scratch("notes.txt");
   write(Bytes(1000, 'x'), path);

@@ -113,15 +113,16 @@ done
 
 # A journal and its copy: the disk cannot read 8 kB in the middle of one of them, then the end of both.
 rm -rf ./* ../journals && mkdir ../journals
-"$adit" map ../in/in.lcmlog --out ../journals/first >/dev/null 2>../err || complain "no journal"
+"$adit" sample ../journals/in.lcmlog --length-m 16 >/dev/null
+"$adit" map ../journals/in.lcmlog --out ../journals/first >/dev/null 2>../err || complain "no journal"
 size=$(stat -c %s ../journals/first/map.journal)
 resume() {
-  with_fault FAIL_CALL=read "$@" -- map ../in/in.lcmlog --out out --resume ../journals/first; code=$?
+  with_fault FAIL_CALL=read "$@" -- map ../journals/in.lcmlog --out out --resume ../journals/first; code=$?
 }
 resume FAIL_BELOW="$scratch/journals/first/map.journal" FAIL_AFTER=$((size / 2)) FAIL_BYTES=8192
 [[ $code == 0 ]] && grep -q "taken from the other copy, nothing lost" ../err || complain "a journal with a bad place"
 resume FAIL_BELOW="$scratch/journals/first/" FAIL_AFTER=$((size / 2))
-[[ $code == 2 ]] || grep -q "an unknown number of records at the end lost" ../err || complain "two journals without their ends"
+[[ $code == 0 ]] && grep -q "an unknown number of records at the end lost" ../err || complain "two journals without their ends"
 resume FAIL_BELOW="$scratch/journals/first/" FAIL_AFTER=0
 check_failure "two journals that cannot be read" $code
 [[ $failures == 0 ]]

@@ -105,8 +105,12 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
   if (std::filesystem::is_regular_file(journal)) copy_readable(journal, folder / kJournal);
   if (has_copy) copy_readable(resume / copy, folder / copy);
   StoredMap stored = read_map_journal(journal);
-  if (stored.maps.empty()) {
-    throw std::runtime_error(fmt::format("no map to resume: no local map in {}", journal.string()));
+  // A local map that is lost keeps its number.
+  const auto is_lost = [](const LocalMap& map) { return map.utime == 0; };
+  if (std::ranges::all_of(stored.maps, is_lost)) {
+    const std::string report = map_journal_report(kJournal, stored);
+    throw std::runtime_error(fmt::format("no map to resume: no local map in {}{}", journal.string(),
+                                         report.empty() ? "" : "; " + report));
   }
   return stored;
 }

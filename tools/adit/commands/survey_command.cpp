@@ -70,12 +70,12 @@ Outputs in DIR:
 
 Distances are measured along the normals of the older surface (M3C2): positive into the void, negative where rock
 is gone. A distance is significant above its level of detection at 95 %, which has the scatter of the returns and
-the registration. Each scan of NEWER is registered to OLDER by the clouds, so that the drift of both missions drops
-out; with --by-coordinates nothing is moved, and the level of detection has the standard deviations of both surveys.)";
+the registration. Each scan of NEWER is registered to OLDER by the clouds and held by its neighbours, so that the
+drift of both missions drops out; with --by-coordinates nothing is moved, and the level of detection has the standard deviations of both surveys.)";
 
 constexpr const char* kCompareExamples =
     R"(  adit survey compare survey_2025 survey_2026 --out change
-  adit survey compare survey_2025 survey_2026 --out change --by-coordinates    also the motion of whole stretches)";
+  adit survey compare survey_2025 survey_2026 --out change --by-coordinates    also the motion of long stretches)";
 
 constexpr std::size_t kRegionsPrinted = 10;
 

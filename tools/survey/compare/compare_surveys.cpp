@@ -32,7 +32,9 @@ std::string registration_statement(const std::vector<ScanPlacement>& placements,
                                    bool by_coordinates) {
   std::vector<double> sds;
   std::vector<double> moved;
+  std::size_t disagreed = 0;
   for (const ScanPlacement& placement : placements) {
+    disagreed += placement.disagreed ? 1 : 0;
     sds.push_back(std::sqrt(placement.covariance.topLeftCorner<3, 3>().trace() / 3.0));
     if (placement.registered) moved.push_back(placement.moved_m);
   }
@@ -44,9 +46,10 @@ std::string registration_statement(const std::vector<ScanPlacement>& placements,
   }
   return fmt::format(
       "Registered by the clouds, scan by scan: {} of {} scans, moved by {:.3f} m from their "
-      "coordinates (median; {:.3f} m at most), standard deviation {:.3f} m per axis (median). A "
-      "motion of a whole stretch of the mine does not show; compare by coordinates for it.",
-      moved.size(), placements.size(), median(moved), quantile(moved, 1.0), median(sds));
+      "coordinates (median; {:.3f} m at most), standard deviation {:.3f} m per axis (median). {} "
+      "disagreed with their neighbours, as before a large surface that has moved. A motion of a "
+      "stretch of the mine longer than a few scans does not show; compare by coordinates for it.",
+      moved.size(), placements.size(), median(moved), quantile(moved, 1.0), median(sds), disagreed);
 }
 
 /// What ties both surveys to each other, a sentence.
@@ -68,8 +71,8 @@ void add_warnings(const std::vector<ScanPlacement>& placements, CompareResult& r
   }
   if (result.registered < result.scans) {
     result.warnings.push_back(
-        fmt::format("{} of {} scans have too little in common with the older survey; they are "
-                    "placed by their neighbours' registration, with a larger uncertainty",
+        fmt::format("{} of {} scans have too little in common with the older survey, or disagree "
+                    "with their neighbours; these place them, with a larger uncertainty",
                     result.scans - result.registered, result.scans));
   }
 }

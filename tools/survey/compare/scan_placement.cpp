@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/compare/scan_placement.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <unordered_set>
@@ -9,6 +10,7 @@
 
 #include <Eigen/LU>
 
+#include "tools/survey/compare/placement_network.hpp"
 #include "tools/survey/points/point_index.hpp"
 
 namespace adit {
@@ -21,6 +23,9 @@ constexpr double kTargetVoxelM = 0.06;  // of a target, thinned
 constexpr double kPriorPlaceSdM = 0.05;
 constexpr double kPriorTurnSdRad = 0.01;
 constexpr double kPriorTiltSdRad = 0.003;
+constexpr double kStepLengthMinM = 1.0;
+constexpr double kStepSdM = 0.002;  // of a step, beside what the surveys state
+constexpr double kStepSdRad = 0.0005;
 
 Matrix6d prior_covariance(const Matrix6d& stated) {
   Vector6d slack;
@@ -68,24 +73,157 @@ Cloud cloud_of(const SurveyedScan& scan) {
   return cloud;
 }
 
-/// The correction of a scan, a motion of comparison, and where it was found.
-struct FoundCorrection {
-  Eigen::Vector3d laser;
-  Eigen::Isometry3d motion;
+Eigen::Isometry3d isometry_of(const Vector6d& motion) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  const double angle = motion.tail<3>().norm();
+  if (angle > 0.0) T.linear() = Eigen::AngleAxisd(angle, motion.tail<3>() / angle).matrix();
+  T.translation() = motion.head<3>();
+  return T;
+}
+
+/// Of a place relative to that of the scan before, by what a survey states.
+Matrix6d step_covariance(double plan_m, double z_m, double tilt_rad, double turn_rad) {
+  Vector6d sd;
+  sd << plan_m, plan_m, z_m, tilt_rad, tilt_rad, turn_rad;
+  return sd.cwiseAbs2().asDiagonal();
+}
+
+/// Sum of the steps of a survey, over their length.
+struct StepsPerMetre {
+  explicit StepsPerMetre(const SurveyedCloud& survey) {
+    double length_m = kStepLengthMinM;
+    for (std::size_t i = 1; i < survey.scans.size(); ++i) {
+      const SurveyedScan& scan = survey.scans[i];
+      length_m += (scan.laser - survey.scans[i - 1].laser).norm();
+      plan_m2 += scan.step_sd_m * scan.step_sd_m;
+      z_m2 += scan.step_z_sd_m * scan.step_z_sd_m;
+      turn_rad2 += scan.step_turn_sd_rad * scan.step_turn_sd_rad;
+    }
+    plan_m2 /= length_m;
+    z_m2 /= length_m;
+    turn_rad2 /= length_m;
+  }
+
+  double plan_m2 = 0.0;
+  double z_m2 = 0.0;
+  double turn_rad2 = 0.0;
 };
 
-Eigen::Isometry3d nearest_correction(const std::vector<FoundCorrection>& found,
-                                     const Eigen::Vector3d& p) {
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  double least = std::numeric_limits<double>::infinity();
-  for (const FoundCorrection& at : found) {
-    const double distance = (at.laser - p).squaredNorm();
-    if (distance > least) continue;
-    least = distance;
-    motion = at.motion;
+class PlacementSearch {
+ public:
+  PlacementSearch(const SurveyedCloud& newer, const SurveyedCloud& older)
+      : newer_(newer), older_(older), older_steps_(older) {}
+
+  std::vector<ScanPlacement> run(const std::function<void(double done)>& progress) {
+    const auto count = static_cast<double>(newer_.scans.size());
+    for (std::size_t i = 0; i < newer_.scans.size(); ++i) {
+      observe(i);
+      if (progress) progress(0.9 * static_cast<double>(i + 1) / count);
+    }
+    std::vector<AdjustedPlacement> adjusted = adjust_placements(observed_);
+    for (std::size_t i = 0; i < observed_.size(); ++i) {
+      disagreed_.push_back(!observed_[i].information.isZero() && !adjusted[i].agrees);
+      if (disagreed_.back()) observe_again(i, adjusted[i]);
+    }
+    adjusted = adjust_placements(observed_);
+    if (progress) progress(1.0);
+    return placements_of(adjusted);
   }
-  return motion;
-}
+
+ private:
+  /// Registers a scan from a motion. `information` of that motion. Nothing found: an information of
+  /// zero.
+  void register_scan(std::size_t i, const Vector6d& motion, const Matrix6d& information) {
+    const SurveyedScan& scan = newer_.scans[i];
+    const Eigen::Isometry3d T_prior = Eigen::Translation3d(scan.laser) * isometry_of(motion);
+    // The target is placed about the expected place of the laser.
+    const Eigen::Translation3d T_comparison_target(T_prior.translation());
+    const CloudRegistration registration =
+        register_clouds(RegistrationCloud(cloud_of(scan), params_),
+                        RegistrationCloud(cloud_around(older_, T_prior.translation()), params_),
+                        {T_comparison_target.inverse() * T_prior, information}, params_);
+    ObservedPlacement& observed = observed_[i];
+    observed.information.setZero();
+    if (!registration.accepted) return;
+    const Eigen::Isometry3d T_found = T_comparison_target * registration.T_target_source;
+    observed.registered = motion_of(Eigen::Translation3d(-scan.laser) * T_found);
+    observed.information = registration.information;
+  }
+
+  void observe(std::size_t i) {
+    const SurveyedScan& scan = newer_.scans[i];
+    const SurveyedScan& beside = nearest_scan(older_, scan.laser);
+    ObservedPlacement& observed = observed_.emplace_back();
+    observed.laser = scan.laser;
+    observed.prior_information = prior_covariance(scan.covariance + beside.covariance).inverse();
+    if (i > 0) observed.step_covariance = step_to(i);
+    register_scan(i, start_of(i), observed.prior_information);
+  }
+
+  /// With the motion that its neighbours give: what moved is then an outlier of the registration.
+  void observe_again(std::size_t i, const AdjustedPlacement& neighbours) {
+    register_scan(i, neighbours.motion, neighbours.covariance.inverse());
+  }
+
+  /// The motion of the nearest scan that was registered, as one of this scan.
+  [[nodiscard]] Vector6d start_of(std::size_t i) const {
+    Vector6d motion = Vector6d::Zero();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < i; ++k) {
+      const Eigen::Vector3d offset = observed_[i].laser - observed_[k].laser;
+      if (observed_[k].information.isZero() || offset.norm() >= least) continue;
+      least = offset.norm();
+      motion = observed_[k].registered;
+      motion.head<3>() += Eigen::Vector3d(motion.tail<3>()).cross(offset);
+    }
+    return motion;
+  }
+
+  /// Of the step from the scan before, by both surveys.
+  [[nodiscard]] Matrix6d step_to(std::size_t i) const {
+    const SurveyedScan& scan = newer_.scans[i];
+    const SurveyedScan& before = newer_.scans[i - 1];
+    const double length_m = (scan.laser - before.laser).norm();
+    // Each scan is levelled by itself.
+    const Matrix6d older =
+        nearest_scan(older_, scan.laser).covariance + nearest_scan(older_, before.laser).covariance;
+    const Matrix6d own = scan.covariance + before.covariance;
+    Matrix6d sum = step_covariance(scan.step_sd_m, scan.step_z_sd_m,
+                                   std::sqrt(own(3, 3) + older(3, 3)), scan.step_turn_sd_rad);
+    sum += length_m * step_covariance(std::sqrt(older_steps_.plan_m2), std::sqrt(older_steps_.z_m2),
+                                      0.0, std::sqrt(older_steps_.turn_rad2));
+    return sum + step_covariance(kStepSdM, kStepSdM, kStepSdRad, kStepSdRad);
+  }
+
+  [[nodiscard]] std::vector<ScanPlacement> placements_of(
+      const std::vector<AdjustedPlacement>& adjusted) const {
+    std::vector<ScanPlacement> placements;
+    for (std::size_t i = 0; i < adjusted.size(); ++i) {
+      const SurveyedScan& scan = newer_.scans[i];
+      ScanPlacement placement;
+      placement.registered = adjusted[i].agrees;
+      placement.disagreed = disagreed_[i];
+      placement.T_comparison_scan =
+          Eigen::Translation3d(scan.laser) * isometry_of(adjusted[i].motion);
+      placement.covariance = adjusted[i].covariance;
+      placement.moved_m = adjusted[i].motion.head<3>().norm();
+      if (placement.registered) {
+        const Matrix6d stated =
+            scan.covariance + nearest_scan(older_, scan.laser).covariance + placement.covariance;
+        placement.chi2 = adjusted[i].motion.dot(stated.inverse() * adjusted[i].motion);
+      }
+      placements.push_back(placement);
+    }
+    return placements;
+  }
+
+  const SurveyedCloud& newer_;
+  const SurveyedCloud& older_;
+  CloudRegistrationParams params_;
+  StepsPerMetre older_steps_;
+  std::vector<ObservedPlacement> observed_;
+  std::vector<bool> disagreed_;
+};
 
 }  // namespace
 
@@ -114,39 +252,7 @@ std::vector<ScanPlacement> placed_by_coordinates(const SurveyedCloud& newer) {
 
 std::vector<ScanPlacement> registered_scans(const SurveyedCloud& newer, const SurveyedCloud& older,
                                             const std::function<void(double done)>& progress) {
-  const CloudRegistrationParams params;
-  std::vector<ScanPlacement> placements;
-  std::vector<FoundCorrection> found;
-  for (const SurveyedScan& scan : newer.scans) {
-    const Eigen::Translation3d T_comparison_given(scan.laser);
-    const Eigen::Isometry3d T_prior = nearest_correction(found, scan.laser) * T_comparison_given;
-    const SurveyedScan& beside = nearest_scan(older, T_prior.translation());
-    const Matrix6d stated = scan.covariance + beside.covariance;
-    const Matrix6d prior_information = prior_covariance(stated).inverse();
-    // The target is placed about the expected place of the laser.
-    const Eigen::Translation3d T_comparison_target(T_prior.translation());
-    const CloudRegistration registration =
-        register_clouds(RegistrationCloud(cloud_of(scan), params),
-                        RegistrationCloud(cloud_around(older, T_prior.translation()), params),
-                        {T_comparison_target.inverse() * T_prior, prior_information}, params);
-    ScanPlacement placement;
-    placement.registered = registration.accepted;
-    placement.T_comparison_scan =
-        registration.accepted ? T_comparison_target * registration.T_target_source : T_prior;
-    placement.covariance =
-        (prior_information + (registration.accepted ? registration.information : Matrix6d::Zero()))
-            .inverse();
-    const Vector6d motion = motion_of(T_comparison_given.inverse() * placement.T_comparison_scan);
-    placement.moved_m = motion.head<3>().norm();
-    if (registration.accepted) {
-      placement.chi2 = motion.dot((stated + placement.covariance).inverse() * motion);
-      found.push_back({scan.laser, placement.T_comparison_scan * T_comparison_given.inverse()});
-    }
-    placements.push_back(placement);
-    if (progress)
-      progress(static_cast<double>(placements.size()) / static_cast<double>(newer.scans.size()));
-  }
-  return placements;
+  return PlacementSearch(newer, older).run(progress);
 }
 
 }  // namespace adit

@@ -19,7 +19,8 @@ struct ScanPlacement {
   /// Of small motions about the laser, relative to the older survey around it: (x, y, z [m],
   /// rotation vector [rad]).
   Matrix6d covariance = Matrix6d::Zero();
-  bool registered = false;  ///< by the clouds; otherwise by the coordinates
+  bool registered = false;  ///< by the clouds; otherwise by its neighbours or the coordinates
+  bool disagreed = false;   ///< its registration with those of its neighbours
   double moved_m = 0.0;     ///< by the registration, from the coordinates
   /// That motion over what both surveys state of their accuracy: chi-square of six degrees of
   /// freedom.
@@ -40,10 +41,12 @@ std::vector<ScanPlacement> placed_by_coordinates(const SurveyedCloud& newer);
 
 /// Each scan registered to what the older survey shows around it (register_clouds, with a robust
 /// kernel: surfaces that changed do not count while others are the majority), with the coordinates
-/// and their covariances as a prior. So the drift of both missions drops out, and with it any
-/// motion of a whole stretch of the mine, which `chi2` shows. Scans are registered in their order,
-/// each from the correction of the nearest registered one. A scan without enough in common stays
-/// where its neighbour's correction puts it.
+/// and their covariances as a prior; then all of them adjusted together (adjust_placements), so
+/// that a scan that follows a large surface which has moved is held by its neighbours. The drift of
+/// both missions drops out, and with it any motion of a stretch of the mine that is longer than a
+/// few scans, which `chi2` shows. Scans are registered in their order, each from the correction of
+/// the nearest registered one; one that disagrees with the others once more, from where they put
+/// it. A scan without enough in common stays where its neighbours put it.
 std::vector<ScanPlacement> registered_scans(const SurveyedCloud& newer, const SurveyedCloud& older,
                                             const std::function<void(double done)>& progress);
 

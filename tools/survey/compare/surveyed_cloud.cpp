@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,18 @@ struct DeviationSums {
   }
 };
 
+/// The step of a scan without points is a part of that to the next one.
+void remove_empty(std::vector<SurveyedScan>& scans) {
+  for (std::size_t i = 0; i + 1 < scans.size(); ++i) {
+    if (!scans[i].points.empty()) continue;
+    SurveyedScan& next = scans[i + 1];
+    next.step_sd_m = std::hypot(next.step_sd_m, scans[i].step_sd_m);
+    next.step_turn_sd_rad = std::hypot(next.step_turn_sd_rad, scans[i].step_turn_sd_rad);
+    next.step_z_sd_m = std::hypot(next.step_z_sd_m, scans[i].step_z_sd_m);
+  }
+  std::erase_if(scans, [](const SurveyedScan& scan) { return scan.points.empty(); });
+}
+
 }  // namespace
 
 std::size_t SurveyedCloud::points() const {
@@ -69,7 +82,11 @@ SurveyedCloud read_surveyed_cloud(const std::filesystem::path& folder, double vo
   std::unordered_map<std::int64_t, std::size_t> scan_at;
   for (const ScanPlace& place : table.scans) {
     scan_at.emplace(place.number, cloud.scans.size());
-    cloud.scans.push_back({place.number, place.laser - cloud.origin, {}});
+    SurveyedScan scan{place.number, place.laser - cloud.origin, {}};
+    scan.step_sd_m = place.step_sd_m;
+    scan.step_turn_sd_rad = place.step_turn_sd_rad;
+    scan.step_z_sd_m = place.step_z_sd_m;
+    cloud.scans.push_back(std::move(scan));
   }
   std::vector<DeviationSums> sums(cloud.scans.size());
   std::vector<std::unordered_set<std::uint64_t>> taken(cloud.scans.size());
@@ -90,7 +107,7 @@ SurveyedCloud read_surveyed_cloud(const std::filesystem::path& folder, double vo
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (sums[i].points > 0.0) cloud.scans[i].covariance = sums[i].covariance();
   }
-  std::erase_if(cloud.scans, [](const SurveyedScan& scan) { return scan.points.empty(); });
+  remove_empty(cloud.scans);
   if (cloud.scans.empty()) throw FileError(fmt::format("{}: no points", las.string()));
   return cloud;
 }

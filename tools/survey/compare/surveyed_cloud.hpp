@@ -22,6 +22,11 @@ struct SurveyedScan {
   /// Of small motions of the scan about the laser along these axes, (x, y, z [m], rotation
   /// vector [rad]), as the standard deviations of its points state them.
   Matrix6d covariance = Matrix6d::Zero();
+  /// The same of the place in plan [m], the heading [rad] and the height [m] relative to the scan
+  /// before, standard deviations; 0 of the first scan.
+  double step_sd_m = 0.0;
+  double step_turn_sd_rad = 0.0;
+  double step_z_sd_m = 0.0;
 };
 
 /// What `adit survey` wrote of a mine, for a comparison. The frame "comparison" has the axes of the

@@ -46,11 +46,17 @@ ScanTable read_scan_table(const std::filesystem::path& path) {
   OGRLayer* const layer = file->GetLayerByName("scans");
   if (layer == nullptr || layer->GetSpatialRef() == nullptr)
     fail_table(path, "no layer scans with a coordinate system: not a survey of adit survey");
-  const int number = layer->GetLayerDefn()->GetFieldIndex("scan");
-  const int laser = layer->GetLayerDefn()->GetFieldIndex("laser_m");
-  if (number < 0 || laser < 0)
-    fail_table(path,
-               "its scans have no elevation of the laser (laser_m): survey the mission again");
+  const auto field = [&](const char* name) {
+    const int at = layer->GetLayerDefn()->GetFieldIndex(name);
+    if (at < 0)
+      fail_table(path, fmt::format("its scans have no {}: survey the mission again", name));
+    return at;
+  };
+  const int number = field("scan");
+  const int laser = field("laser_m");
+  const int step = field("step_sd_m");
+  const int step_turn = field("step_turn_sd_rad");
+  const int step_z = field("step_z_sd_m");
   ScanTable table;
   table.crs_wkt = wkt2_of(*layer->GetSpatialRef());
   const char* const name = layer->GetSpatialRef()->GetName();
@@ -61,7 +67,10 @@ ScanTable read_scan_table(const std::filesystem::path& path) {
       fail_table(path, "a scan without a place");
     const OGRPoint& place = *geometry->toPoint();
     table.scans.push_back({feature->GetFieldAsInteger64(number),
-                           {place.getX(), place.getY(), feature->GetFieldAsDouble(laser)}});
+                           {place.getX(), place.getY(), feature->GetFieldAsDouble(laser)},
+                           feature->GetFieldAsDouble(step),
+                           feature->GetFieldAsDouble(step_turn),
+                           feature->GetFieldAsDouble(step_z)});
   }
   return table;
 }

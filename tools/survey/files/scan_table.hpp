@@ -15,6 +15,10 @@ namespace adit {
 struct ScanPlace {
   std::int64_t number = 0;
   Eigen::Vector3d laser{0.0, 0.0, 0.0};  ///< place of the robot, elevation of the laser [m]
+  /// Standard deviations relative to the scan before, 0 of the first.
+  double step_sd_m = 0.0;  ///< of the place in plan, per axis
+  double step_turn_sd_rad = 0.0;
+  double step_z_sd_m = 0.0;
 };
 
 /// The layer `scans` of a survey's GeoPackage.

@@ -3,11 +3,25 @@
 #include "tools/survey/frame/survey_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "common/pose_graph/gaussian_field.hpp"
 
 namespace adit {
+
+namespace {
+
+void add_step(const GaussianField& field, const SurveyGraph::Node& before,
+              SurveyGraph::Node& node) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(before.T_survey_local.plan.theta).toRotationMatrix();
+  node.step_covariance = R * field.relative_covariance(before.id, node.id) * R.transpose();
+  // Heights are known from the start on: what is added is that of the step.
+  node.step_z_variance = std::abs(node.z_variance - before.z_variance);
+}
+
+}  // namespace
 
 SurveyGraph SurveyGraph::free_network(const FullMap& map) {
   const MapGraph& graph = map.graph;
@@ -30,6 +44,7 @@ SurveyGraph SurveyGraph::free_network(const FullMap& map) {
       R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(graph.poses[0].theta).toRotationMatrix();
       node.covariance = R * field.relative_covariance(0, local_map->id) * R.transpose();
     }
+    if (!nodes.empty()) add_step(field, nodes.back(), node);
     nodes.push_back(node);
   }
   if (nodes.empty())
@@ -76,6 +91,25 @@ Eigen::Matrix3d SurveyGraph::covariance_at(std::size_t node,
   covariance.topLeftCorner<2, 2>() = J * at.covariance * J.transpose();
   covariance(2, 2) = at.z_variance;
   return covariance;
+}
+
+Eigen::Matrix3d SurveyGraph::covariance_between(std::size_t from, std::size_t to) const {
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const Eigen::Vector2d step = nodes_[i].T_survey_local.plan.translation() -
+                                 nodes_[i - 1].T_survey_local.plan.translation();
+    Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
+    J(0, 2) = -step.y();
+    J(1, 2) = step.x();
+    covariance = J * covariance * J.transpose() + nodes_[i].step_covariance;
+  }
+  return covariance;
+}
+
+double SurveyGraph::z_variance_between(std::size_t from, std::size_t to) const {
+  double variance = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) variance += nodes_[i].step_z_variance;
+  return variance;
 }
 
 }  // namespace adit

@@ -28,6 +28,9 @@ class SurveyGraph {
     /// origin [m², m rad, rad²].
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     double z_variance = 0.0;  ///< [m²]
+    /// The same of the pose relative to the local map before; zero for the first one.
+    Eigen::Matrix3d step_covariance = Eigen::Matrix3d::Zero();
+    double step_z_variance = 0.0;  ///< [m²]
     LevelPose T_odom_local;
     std::int64_t utime = 0;  ///< of its first scan
   };
@@ -53,6 +56,13 @@ class SurveyGraph {
   /// [m²]. Plan and height are estimated apart.
   [[nodiscard]] Eigen::Matrix3d covariance_at(std::size_t node,
                                               const Eigen::Vector3d& p_survey) const;
+
+  /// Covariance (x, y, θ) of a pose at the second node relative to one at the first, `from` before
+  /// `to`, along the axes of survey: the sum of the steps between them, which neglects that loop
+  /// closures tie them, too.
+  [[nodiscard]] Eigen::Matrix3d covariance_between(std::size_t from, std::size_t to) const;
+  /// The same of the heights [m²].
+  [[nodiscard]] double z_variance_between(std::size_t from, std::size_t to) const;
 
  private:
   std::vector<Node> nodes_;  // in order of time

@@ -291,14 +291,24 @@ VectorLayer LayerBuilder::scans() const {
                      {"time", kText},
                      {"points", kInteger},
                      {"complete", kText},
-                     {"laser_m", kNumber}},
+                     {"laser_m", kNumber},
+                     {"step_sd_m", kNumber},
+                     {"step_turn_sd_rad", kNumber},
+                     {"step_z_sd_m", kNumber}},
                     {}};
+  const SurveyGraph& graph = survey_.cloud().graph();
+  std::size_t before = 0;
   for (const PlacedCloud& scan : survey_.cloud().scans()) {
+    if (layer.features.empty()) before = scan.node;
+    const Eigen::Matrix3d step = graph.covariance_between(before, scan.node);
+    const double step_z_m = std::sqrt(graph.z_variance_between(before, scan.node));
+    before = scan.node;
     layer.features.push_back(
         {{in_grid(scan.T_survey_level.translation())},
          {std::int64_t{scan.number}, date_text(scan.cloud->utime),
           static_cast<std::int64_t>(scan.cloud->points()),
-          std::string(scan.cloud->complete ? "yes" : "no"), in_grid(laser_place(scan)).z()},
+          std::string(scan.cloud->complete ? "yes" : "no"), in_grid(laser_place(scan)).z(),
+          position_sd_m(step), std::sqrt(step(2, 2)), step_z_m},
          ""});
   }
   return layer;

@@ -88,7 +88,10 @@ class CompareSurveys : public testing::Test {
     VectorLayer scans{"scans",
                       VectorLayer::Geometry::kPoint,
                       {{"scan", VectorLayer::Field::Type::kInteger},
-                       {"laser_m", VectorLayer::Field::Type::kNumber}},
+                       {"laser_m", VectorLayer::Field::Type::kNumber},
+                       {"step_sd_m", VectorLayer::Field::Type::kNumber},
+                       {"step_turn_sd_rad", VectorLayer::Field::Type::kNumber},
+                       {"step_z_sd_m", VectorLayer::Field::Type::kNumber}},
                       {}};
     std::uint32_t number = 0;
     for (double x = 2.0; x < kLengthM; x += 4.0) {
@@ -101,7 +104,8 @@ class CompareSurveys : public testing::Test {
       for (const Eigen::Vector3d& p : scan_from(x, change, random))
         points.push_back({placed(p), 0, number, 0.02F, 0.02F});
       const Eigen::Vector3d at = placed({x, 0.0, 0.0});
-      scans.features.push_back({{at}, {std::int64_t{number}, at.z() + 0.6}, ""});
+      scans.features.push_back(
+          {{at}, {std::int64_t{number}, at.z() + 0.6, 0.005, 0.001, 0.005}, ""});
     }
     const LasPoints all = [&points](const std::function<void(const LasPoint&)>& visit) {
       for (const LasPoint& point : points) visit(point);

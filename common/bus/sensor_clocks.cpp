@@ -62,12 +62,30 @@ void SensorClocks::Run::add(std::int64_t utime, std::int64_t arrival_utime) {
     const std::int64_t lasting_offset_us = std::min(offset_us, previous_offset_us);
     earliest_offset_us = std::max(lasting_offset_us, earliest_offset_us - drift_us);
   }
-  if (length == 0 || std::abs(offset_us - on_time_offset_us) <= kOffsetChangeUs) {
-    on_time_offset_us = offset_us;
-  }
   ++length;
   last_utime = utime;
   last_arrival_utime = arrival_utime;
+  judge_offset(previous_offset_us);
+}
+
+/// Whether the last measurement was late. A backlog arrives at once, so that of a stage which was
+/// suspended does not last.
+void SensorClocks::Run::judge_offset(std::int64_t previous_offset_us) {
+  if (length == 1 || std::abs(offset_us - on_time_offset_us) <= kOffsetChangeUs) {
+    on_time_offset_us = offset_us;
+    off_time_length = 0;
+    return;
+  }
+  if (off_time_length == 0 || std::abs(offset_us - previous_offset_us) > kOffsetChangeUs) {
+    off_time_since_utime = last_arrival_utime;
+    off_time_length = 0;
+  }
+  ++off_time_length;
+  if (off_time_length < kLastingLength || last_arrival_utime - off_time_since_utime < kLastingUs)
+    return;
+  on_time_offset_us = offset_us;
+  earliest_offset_us = std::min(offset_us, previous_offset_us);
+  off_time_length = 0;
 }
 
 /// A stage that was suspended receives measurements late, and a log may be played at another speed,

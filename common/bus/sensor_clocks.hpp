@@ -28,6 +28,8 @@ namespace adit {
 /// clock of the computer was set or a log is played again; otherwise the channel stays rejected
 /// until its clock is right, and `fault` says by how much it is off. A step of less than half a
 /// second is followed once it lasts, and reported while it makes a channel ahead of all others.
+/// A process may receive its first measurements before it knows the time of the bus, or a simulated
+/// time that is old: what lasts afterwards is the true offset of the channel.
 class SensorClocks {
  public:
   static constexpr std::string_view kNotContinuous = "time stamp does not follow the one before";
@@ -54,6 +56,8 @@ class SensorClocks {
     std::int64_t offset_us = 0;                   ///< stamp minus arrival, of the last,
     std::int64_t on_time_offset_us = 0;           ///< of the last that was not late,
     std::int64_t earliest_offset_us = 0;          ///< and of those that arrived earliest
+    std::int64_t off_time_since_utime = 0;        ///< arrival of the first that is not on time,
+    int off_time_length = 0;                      ///< of those that follow it with about one offset
     std::array<std::int64_t, kSteps> steps_us{};  ///< between the last stamps, in any order
     int length = 0;
 
@@ -66,6 +70,7 @@ class SensorClocks {
     /// Whether a measurement arrived within the last two seconds.
     [[nodiscard]] bool continues(std::int64_t now_utime) const;
     void add(std::int64_t utime, std::int64_t arrival_utime);
+    void judge_offset(std::int64_t previous_offset_us);
   };
   struct Channel {
     Run accepted;

@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 constexpr std::size_t kBurstOneIn = 2;    // steps
 constexpr int kBurstLength = 64;          // messages
-constexpr int kLongBurstLength = 8;       // of messages that take a stage long
+constexpr int kLongBurstLength = 2;       // of messages that take a stage long
 constexpr std::size_t kBeforeOneIn = 8;   // messages of the mission
 constexpr int kCopies = 4;                // sent before one of them
 constexpr std::size_t kCopiedMax = 4000;  // [bytes]

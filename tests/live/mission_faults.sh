@@ -13,8 +13,8 @@ here=$(dirname "$(readlink -f "$0")")
 adit=$(readlink -f "$1"); check_losses=$(readlink -f "$2"); mkdir -p "$3"; folder=$(readlink -f "$3")
 faults=${4:-50}; power_losses=${5:-20}; jobs=${6:-1}; minutes=${7:-100000}; seed=${8:-1}
 kStages=(scan_matching mapping scan_assembly terrain volume_map planning driving guard exploration mission)
-kFaultsPerMission=9; kPowerLossesPerMission=3
-kFirstS=5; kIntervalS=28; kSpreadS=17      # simulated time between faults
+kFaultsPerMission=20; kPowerLossesPerMission=3
+kFirstS=5; kIntervalS=12; kSpreadS=8      # simulated time between faults
 kPowerLossMinS=4; kPowerLossMaxS=20        # wall time between power losses
 kPowerLossEach=5; kRandomEach=4            # every n-th mission has power losses; is in a random mine
 kRandomMine=(random_level --length-m 50)

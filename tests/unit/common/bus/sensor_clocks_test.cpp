@@ -159,6 +159,31 @@ TEST_F(MonitoredClocks, AcceptWhatArrivesLate) {
   EXPECT_EQ(accepts("LASER_FRONT", now_), 1);
 }
 
+/// As a process that receives measurements before the time of the bus: it has none, or an old one.
+TEST_F(MonitoredClocks, LearnTheOffsetAfterAWrongStart) {
+  for (const std::int64_t bus_time : {std::int64_t{0}, now_ - 3 * kSecond, now_ - 600 * kMs}) {
+    clocks_ = SensorClocks();
+    EXPECT_TRUE(clocks_.check("POSE", now_, bus_time).empty());
+    for (int i = 0; i < 100; ++i) {
+      now_ += kPeriodUs;
+      EXPECT_TRUE(clocks_.check("POSE", now_ - 5 * kMs, now_).empty());
+      EXPECT_TRUE(clocks_.check("LASER_FRONT", now_ - 5 * kMs, now_).empty()) << i;
+    }
+    // The sender is suspended: what it was about to send arrives late, then all is as before.
+    for (int i = 0; i < 500; ++i) {
+      now_ += kPeriodUs;
+      EXPECT_TRUE(clocks_.check("LASER_FRONT", now_ - 5 * kMs, now_).empty());
+    }
+    EXPECT_TRUE(clocks_.check("POSE", now_ - 10 * kSecond, now_).empty());
+    for (int i = 0; i < 50; ++i) {
+      now_ += kPeriodUs;
+      EXPECT_TRUE(clocks_.check("POSE", now_ - 5 * kMs, now_).empty()) << bus_time;
+      EXPECT_TRUE(clocks_.check("LASER_FRONT", now_ - 5 * kMs, now_).empty());
+    }
+    EXPECT_TRUE(clocks_.fault(now_).empty());
+  }
+}
+
 TEST_F(MonitoredClocks, AcceptALogAtAnySpeed) {
   for (const double speed : {0.2, 1.0, 4.0, 50.0}) {
     SensorClocks clocks;

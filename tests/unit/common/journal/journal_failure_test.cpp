@@ -135,7 +135,8 @@ TEST_F(FailingJournals, KeepAllRecordsOfAKilledProcess) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> microseconds(1000, 8000);
   std::size_t before = 0;
-  for (int times = 0; times < 40; ++times) {
+  // On a busy computer a process appends little in so short a time.
+  for (int times = 0; times < 40 || (before <= 100 && times < 2000); ++times) {
     const int appended = append_until_killed(path_, microseconds(random));
     const auto [found, health] = reopened();
     ASSERT_GE(found.size(), std::max(before, std::size_t(appended)));

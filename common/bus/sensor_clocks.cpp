@@ -24,6 +24,12 @@ constexpr int kStepsMin = 5;                       // known, to judge by them
 constexpr std::int64_t kAheadReportedUs = 200'000;
 constexpr std::int64_t kDriftDivisor = 1'000;  // clocks drift apart by less than 1000 ppm
 
+/// Whether measurements that have something in common are so many, and over so long a time, that it
+/// is no accident.
+bool is_lasting(int length, std::int64_t first_arrival_utime, std::int64_t last_arrival_utime) {
+  return length >= kLastingLength && last_arrival_utime - first_arrival_utime >= kLastingUs;
+}
+
 }  // namespace
 
 bool SensorClocks::Run::is_followed_by(std::int64_t utime, std::int64_t arrival_utime) const {
@@ -81,8 +87,7 @@ void SensorClocks::Run::judge_offset(std::int64_t previous_offset_us) {
     off_time_length = 0;
   }
   ++off_time_length;
-  if (off_time_length < kLastingLength || last_arrival_utime - off_time_since_utime < kLastingUs)
-    return;
+  if (!is_lasting(off_time_length, off_time_since_utime, last_arrival_utime)) return;
   on_time_offset_us = offset_us;
   earliest_offset_us = std::min(offset_us, previous_offset_us);
   off_time_length = 0;
@@ -115,8 +120,7 @@ std::string_view SensorClocks::check(const std::string& channel, std::int64_t ut
   }
   if (!rejected.is_followed_by(utime, arrival_utime)) rejected = {};
   rejected.add(utime, arrival_utime);
-  const bool lasts = rejected.length >= kLastingLength &&
-                     arrival_utime - rejected.first_arrival_utime >= kLastingUs;
+  const bool lasts = is_lasting(rejected.length, rejected.first_arrival_utime, arrival_utime);
   if (!lasts || others_continue(channel, arrival_utime)) return kNotContinuous;
   for (auto& [name, other] : channels_) other = {};  // the others are expected to follow
   channels_[channel].accepted.add(utime, arrival_utime);
@@ -146,8 +150,7 @@ bool SensorClocks::is_ahead(const std::string& channel, std::int64_t utime,
 
 /// Whether one stamp is repeated as time passes.
 bool SensorClocks::Channel::stands() const {
-  return repetitions >= kLastingLength &&
-         last_repetition_utime - accepted.last_arrival_utime >= kLastingUs;
+  return is_lasting(repetitions, accepted.last_arrival_utime, last_repetition_utime);
 }
 
 /// How far a channel is ahead of every other that continues; nothing without another.

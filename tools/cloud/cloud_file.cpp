@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
-#include "common/files/file_error.hpp"
 #include "common/files/mapped_file.hpp"
 #include "tools/cloud/text_lines.hpp"
 
@@ -71,8 +70,6 @@ PointCloud read_cloud_file(const std::filesystem::path& file) {
         cloud.skipped == 0
             ? "file has no points"
             : "no valid point: all are not finite or farther than 100 km from the origin");
-  } catch (const FileError&) {
-    throw;
   } catch (const std::runtime_error& error) {
     mapped.require_readable();
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));

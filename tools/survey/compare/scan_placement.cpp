@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/survey/compare/scan_placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -81,38 +82,33 @@ Eigen::Isometry3d isometry_of(const Vector6d& motion) {
   return T;
 }
 
-/// Of a place relative to that of the scan before, by what a survey states.
-Matrix6d step_covariance(double plan_m, double z_m, double tilt_rad, double turn_rad) {
+Matrix6d covariance_of(double plan_sd_m, double z_sd_m, double tilt_sd_rad, double turn_sd_rad) {
   Vector6d sd;
-  sd << plan_m, plan_m, z_m, tilt_rad, tilt_rad, turn_rad;
+  sd << plan_sd_m, plan_sd_m, z_sd_m, tilt_sd_rad, tilt_sd_rad, turn_sd_rad;
   return sd.cwiseAbs2().asDiagonal();
 }
 
-/// Sum of the steps of a survey, over their length.
-struct StepsPerMetre {
-  explicit StepsPerMetre(const SurveyedCloud& survey) {
-    double length_m = kStepLengthMinM;
-    for (std::size_t i = 1; i < survey.scans.size(); ++i) {
-      const SurveyedScan& scan = survey.scans[i];
-      length_m += (scan.laser - survey.scans[i - 1].laser).norm();
-      plan_m2 += scan.step_sd_m * scan.step_sd_m;
-      z_m2 += scan.step_z_sd_m * scan.step_z_sd_m;
-      turn_rad2 += scan.step_turn_sd_rad * scan.step_turn_sd_rad;
-    }
-    plan_m2 /= length_m;
-    z_m2 /= length_m;
-    turn_rad2 /= length_m;
-  }
+/// Of the place of a scan relative to the one before, as its survey states it; without the tilt,
+/// since each scan is levelled by itself.
+Matrix6d stated_step(const SurveyedScan& scan) {
+  return covariance_of(scan.step_sd_m, scan.step_z_sd_m, 0.0, scan.step_turn_sd_rad);
+}
 
-  double plan_m2 = 0.0;
-  double z_m2 = 0.0;
-  double turn_rad2 = 0.0;
-};
+/// The sum of the steps of a survey over their length.
+Matrix6d steps_per_metre(const SurveyedCloud& survey) {
+  double length_m = kStepLengthMinM;
+  Matrix6d sum = Matrix6d::Zero();
+  for (std::size_t i = 1; i < survey.scans.size(); ++i) {
+    length_m += (survey.scans[i].laser - survey.scans[i - 1].laser).norm();
+    sum += stated_step(survey.scans[i]);
+  }
+  return sum / length_m;
+}
 
 class PlacementSearch {
  public:
   PlacementSearch(const SurveyedCloud& newer, const SurveyedCloud& older)
-      : newer_(newer), older_(older), older_steps_(older) {}
+      : newer_(newer), older_(older), older_steps_(steps_per_metre(older)) {}
 
   std::vector<ScanPlacement> run(const std::function<void(double done)>& progress) {
     const auto count = static_cast<double>(newer_.scans.size());
@@ -125,7 +121,8 @@ class PlacementSearch {
       disagreed_.push_back(!observed_[i].information.isZero() && !adjusted[i].agrees);
       if (disagreed_.back()) observe_again(i, adjusted[i]);
     }
-    adjusted = adjust_placements(observed_);
+    if (std::ranges::find(disagreed_, true) != disagreed_.end())
+      adjusted = adjust_placements(observed_);
     if (progress) progress(1.0);
     return placements_of(adjusted);
   }
@@ -188,11 +185,9 @@ class PlacementSearch {
     const Matrix6d older =
         nearest_scan(older_, scan.laser).covariance + nearest_scan(older_, before.laser).covariance;
     const Matrix6d own = scan.covariance + before.covariance;
-    Matrix6d sum = step_covariance(scan.step_sd_m, scan.step_z_sd_m,
-                                   std::sqrt(own(3, 3) + older(3, 3)), scan.step_turn_sd_rad);
-    sum += length_m * step_covariance(std::sqrt(older_steps_.plan_m2), std::sqrt(older_steps_.z_m2),
-                                      0.0, std::sqrt(older_steps_.turn_rad2));
-    return sum + step_covariance(kStepSdM, kStepSdM, kStepSdRad, kStepSdRad);
+    const Matrix6d tilt = covariance_of(0.0, 0.0, std::sqrt(own(3, 3) + older(3, 3)), 0.0);
+    return stated_step(scan) + length_m * older_steps_ + tilt +
+           covariance_of(kStepSdM, kStepSdM, kStepSdRad, kStepSdRad);
   }
 
   [[nodiscard]] std::vector<ScanPlacement> placements_of(
@@ -220,7 +215,7 @@ class PlacementSearch {
   const SurveyedCloud& newer_;
   const SurveyedCloud& older_;
   CloudRegistrationParams params_;
-  StepsPerMetre older_steps_;
+  Matrix6d older_steps_;  // per metre
   std::vector<ObservedPlacement> observed_;
   std::vector<bool> disagreed_;
 };

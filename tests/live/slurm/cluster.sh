@@ -101,10 +101,15 @@ node_pid() { eval "echo \$node_pid_$1"; }
 
 all_nodes_idle() { [[ $(sinfo -h -N -t idle -o %N 2>/dev/null | sort -u | wc -l) == "${#nodes[@]}" ]]; }
 
-# As an administrator does: a controller that was killed has lost its last seconds, starts tasks twice, and drains the
-# nodes on which it finds those.
-resume_drained_nodes() {
+# As an administrator does: a controller that was killed has lost its last seconds. It starts tasks twice, and drains the
+# nodes on which it finds those; and it takes tasks that ended meanwhile for running, until the nodes register again, and
+# only if they started more than 20 s before (BatchStartTimeout and MessageTimeout).
+reconcile_nodes() {
   local node
+  if ((SECONDS >= ${next_registration_s:-0})); then
+    next_registration_s=$((SECONDS + 10))
+    scontrol reconfigure 2>/dev/null || true
+  fi
   for node in $(sinfo -h -N -t drain -o %N 2>/dev/null | sort -u); do
     scontrol update NodeName="$node" State=RESUME 2>/dev/null || true
   done

@@ -48,8 +48,8 @@ echo "  n: {from: 1, to: $units}" >>"$folder/campaign.yaml"
 
 query() { sqlite3 -readonly "$folder/$1/campaign.db" "$2"; }
 results() { query slurm 'SELECT count(*) FROM campaign WHERE state IS NOT NULL' 2>/dev/null || echo 0; }
-has_results() { resume_drained_nodes; (($(results) >= $1)); }
-has_ended() { resume_drained_nodes; ! kill -0 "$collector" 2>/dev/null; }
+has_results() { reconcile_nodes; (($(results) >= $1)); }
+has_ended() { reconcile_nodes; ! kill -0 "$collector" 2>/dev/null; }
 fail() {
   echo "FAILED: $*" >&2
   tail -n 20 "$folder"/cluster/log/slurm* "$folder/slurm.log" "$folder"/slurm/slurm/*.log >&2 || true

@@ -190,6 +190,9 @@ class LiveMission {
       if (progress) progress(monitor_.progress(), seconds(now_us - begin_us));
     }
     result.wall_s = seconds(steady_us() - begin_us);
+    if (monitor_.has_ended() && monitor_.scans_to_store() > 0)
+      notify_(fmt::format("3D scans not in the volume map: {}; scan_assembly.journal has them",
+                          monitor_.scans_to_store()));
     result.interrupted = stop.received();
     supervisor_.stop();
     result.trace_failure = monitor_.trace_failure();

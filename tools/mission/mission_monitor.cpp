@@ -11,6 +11,7 @@
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
@@ -51,8 +52,21 @@ void MissionMonitor::subscribe_all(Bus& bus) {
     if (heartbeat.stage == Recording::kStage && has_stopped)
       follower_.set_record_stopped(heartbeat.health.reason);
   });
+  subscribe<cloud_t>(bus, channels::kCloud, all, [this](const CloudFragment& fragment) {
+    if (fragment.fragment == 0) scans_to_store_.insert(fragment.part.utime);
+  });
+  subscribe<cloud_request_t>(
+      bus, channels::kCloudRequest, all, [this](const CloudRequest& request) {
+        for (const std::int64_t utime : request.received_utime) scans_to_store_.erase(utime);
+        std::erase_if(scans_to_store_,
+                      [&](std::int64_t utime) { return utime <= request.after_utime; });
+      });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });
+}
+
+bool MissionMonitor::has_ended() const {
+  return follower_.has_ended() && (scans_to_store_.empty() || follower_.has_ended(kStoringMaxS));
 }
 
 double MissionMonitor::simulated_s() const { return seconds(utime_ - first_utime_); }

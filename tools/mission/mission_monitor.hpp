@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,8 @@ namespace adit {
 class MissionMonitor {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 10'000'000;  ///< of wall time
+  /// Simulated time in which the volume map may still store 3D scans, as after its restart.
+  static constexpr double kStoringMaxS = 30.0;
 
   /// `bus` must outlive this.
   MissionMonitor(Bus& bus, const std::filesystem::path& trace, const MissionStart& start);
@@ -29,7 +33,10 @@ class MissionMonitor {
   /// Why phases.tsv could not be written; empty if it was.
   [[nodiscard]] std::string trace_failure() const { return follower_.failure(); }
   [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
-  [[nodiscard]] bool has_ended() const { return follower_.has_ended(); }
+  /// For long enough to record it and, if possible, until the volume map has all 3D scans.
+  [[nodiscard]] bool has_ended() const;
+  /// Published 3D scans that the volume map has not reported as received, though it can place them.
+  [[nodiscard]] std::size_t scans_to_store() const { return scans_to_store_.size(); }
   /// Failure of the simulated run, a collision; empty without.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
@@ -53,6 +60,7 @@ class MissionMonitor {
   std::int64_t utime_ = 0;
   MissionStart start_;
   std::string failure_;
+  std::set<std::int64_t> scans_to_store_;  // Cloud::utime
   std::map<std::string, StageResponse> responses_;
   MissionFollower follower_;
 };

@@ -79,8 +79,8 @@ std::string MissionFollower::failure() const {
   return file_ ? "" : fmt::format("cannot write {}", path_.string());
 }
 
-bool MissionFollower::has_ended() const {
-  return phase_.phase == Phase::kEnded && simulated_s_() > ended_s_ + kAfterEndS;
+bool MissionFollower::has_ended(double for_s) const {
+  return phase_.phase == Phase::kEnded && simulated_s_() > ended_s_ + for_s;
 }
 
 }  // namespace adit

@@ -57,8 +57,8 @@ class MissionFollower {
   [[nodiscard]] double farthest_m() const { return farthest_m_; }
   /// Why a line of the file could not be written; empty if all were.
   [[nodiscard]] std::string failure() const;
-  /// Whether the phase has been ended for kAfterEndS.
-  [[nodiscard]] bool has_ended() const;
+  /// Whether the phase has been ended for a duration.
+  [[nodiscard]] bool has_ended(double for_s = kAfterEndS) const;
 
  private:
   void on_phase(const MissionPhase& phase);

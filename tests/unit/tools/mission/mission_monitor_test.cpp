@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_monitor.hpp"
 
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +12,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/sim.hpp"
@@ -45,6 +49,18 @@ class MissionMonitorTest : public testing::Test {
     bus_.advance_to(bus_.now_utime());
   }
 
+  void publish_scan(std::int64_t utime) {
+    CloudFragment scan;
+    scan.part.utime = utime;
+    publish(bus_, channels::kCloud, to_message(scan));
+    bus_.advance_to(bus_.now_utime());
+  }
+  void publish_received(std::int64_t after_utime, std::vector<std::int64_t> received_utime) {
+    publish(bus_, channels::kCloudRequest,
+            to_message(CloudRequest{bus_.now_utime(), after_utime, std::move(received_utime)}));
+    bus_.advance_to(bus_.now_utime());
+  }
+
   MemoryBus bus_;
   test::ScratchFolder scratch_;
   MissionMonitor monitor_{bus_, scratch_.path() / "phases.tsv", {{3.0, 0.0}, std::nullopt}};
@@ -78,6 +94,32 @@ TEST_F(MissionMonitorTest, HasEndedTwoSecondsAfterTheEndedPhase) {
   EXPECT_FALSE(monitor_.has_ended());
   publish_time(kStart + 3 * kSecond);
   EXPECT_TRUE(monitor_.has_ended());
+}
+
+TEST_F(MissionMonitorTest, EndsWhenTheVolumeMapHasAllScans) {
+  publish_time(kStart);
+  publish_scan(kStart);
+  publish_scan(kStart + kSecond);
+  publish_scan(kStart + 2 * kSecond);
+  publish_phase(Phase::kEnded, 1);
+  publish_time(kStart + 3 * kSecond);
+  EXPECT_FALSE(monitor_.has_ended());
+  publish_received(kStart, {kStart + kSecond});  // the first one is of an earlier odom frame
+  EXPECT_FALSE(monitor_.has_ended());
+  EXPECT_EQ(monitor_.scans_to_store(), 1U);
+  publish_received(kStart, {kStart + kSecond, kStart + 2 * kSecond});
+  EXPECT_TRUE(monitor_.has_ended());
+}
+
+TEST_F(MissionMonitorTest, EndsAfterATimeWithoutVolumeMap) {
+  publish_time(kStart);
+  publish_scan(kStart);
+  publish_phase(Phase::kEnded, 1);
+  publish_time(kStart + 29 * kSecond);
+  EXPECT_FALSE(monitor_.has_ended());
+  publish_time(kStart + 31 * kSecond);
+  EXPECT_TRUE(monitor_.has_ended());
+  EXPECT_EQ(monitor_.scans_to_store(), 1U);
 }
 
 TEST_F(MissionMonitorTest, MeasuresDistancesFromTheFirstStart) {

@@ -144,7 +144,7 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
   const bool has_all =
       std::all_of(paths.begin(), paths.end(), [](auto& p) { return fs::exists(p); });
   const bool has_first = fs::exists(path);
-  for (const fs::path& p : paths) files_.push_back(std::make_unique<LockedFile>(p));
+  for (const fs::path& p : paths) copies_.push_back({std::make_unique<LockedFile>(p)});
   const OpenedCopies opened(paths);
   health_ = opened.contents().health;
   if (!has_first) health_.recovered += std::exchange(health_.behind, 0);  // the file was removed
@@ -157,13 +157,14 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
     convert(joined);
   if (!joined.empty()) next_ = {joined.back().sequence() + 1, joined.back().checksum};
   end_ = encoded_bytes(joined);
-  for (std::size_t i = 0; i < files_.size(); ++i) repair(files_[i], scans[i], joined);
-  if (end_ == 0) files_.front()->sync_folder();
+  auto scan = scans.begin();
+  for_each_copy([&](Copy& copy) { repair(copy, *scan++, joined); });
+  if (end_ == 0) copies_.front().file->sync_folder();
   reserve_ahead();
 }
 
 Journal::~Journal() {
-  for (const auto& file : files_) discard_partial_record(*file, end_);
+  for (const Copy& copy : copies_) discard_partial_record(*copy.file, copy.end);
 }
 
 /// In steps, as each is a change of the file system. Where it has no space left, what is reserved
@@ -171,26 +172,29 @@ Journal::~Journal() {
 void Journal::reserve_ahead() {
   if (end_ + kReserveMinBytes <= reserved_) return;
   const std::uint64_t wanted = end_ + kReserveBytes;
-  const bool done = std::all_of(files_.begin(), files_.end(), [&](const auto& file) {
-    return file->reserve(end_, wanted) == LockedFile::Reservation::kDone;
+  const bool done = std::all_of(copies_.begin(), copies_.end(), [&](const Copy& copy) {
+    return copy.file->reserve(end_, wanted) == LockedFile::Reservation::kDone;
   });
   if (done) reserved_ = wanted;
 }
 
 /// Leaves an intact file as it is, removes an incomplete record, adds those that the other copy has
 /// beyond the end; otherwise writes the file again.
-void Journal::repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
-                     const std::vector<Found>& joined) {
+void Journal::repair(Copy& copy, const JournalScan& found, const std::vector<Found>& joined) const {
   const auto common = common_bytes(found, joined);
-  if (!common) return replace(file, joined, !found.corrupt.empty());
-  if (*common < found.bytes) file->truncate(*common);
-  if (found.records.size() == joined.size()) return;
-  Writer(*common).write(std::span(joined).subspan(found.records.size()), *file);
-  file->sync();
-  file->sync_folder();
+  if (!common) {
+    replace(copy.file, joined, !found.corrupt.empty());
+  } else {
+    if (*common < found.bytes) copy.file->truncate(*common);
+    if (found.records.size() < joined.size()) {
+      Writer(*common).write(std::span(joined).subspan(found.records.size()), *copy.file);
+      copy.file->sync();
+      copy.file->sync_folder();
+    }
+  }
+  copy.end = copy.synced = end_;
 }
 
-/// The new file takes the place of the damaged one in one step, so that a crash loses neither.
 void Journal::replace(std::unique_ptr<LockedFile>& file, const std::vector<Found>& joined,
                       bool keep) {
   const fs::path path = file->path();
@@ -211,22 +215,64 @@ void Journal::replace(std::unique_ptr<LockedFile>& file, const std::vector<Found
 /// that is reserved for smaller ones.
 void Journal::require_space(std::uint64_t end) {
   if (end <= reserved_) return;
-  for (const auto& file : files_) {
-    if (file->reserve(end_, end) == LockedFile::Reservation::kNoSpace) {
-      throw FileError(file->path().string() +
-                      ": cannot write: " + std::generic_category().message(ENOSPC));
+  for (const Copy& copy : copies_) {
+    if (copy.file->reserve(end_, end) != LockedFile::Reservation::kNoSpace) continue;
+    failure_ =
+        copy.file->path().string() + ": cannot write: " + std::generic_category().message(ENOSPC);
+    throw FileError(failure_);
+  }
+}
+
+/// Returns whether the work succeeded for every copy; throws the first error if it did for none.
+bool Journal::for_each_copy(const std::function<void(Copy&)>& work) {
+  std::vector<std::string> failures;
+  for (Copy& copy : copies_) {
+    try {
+      work(copy);
+    } catch (const std::runtime_error& failure) {
+      failures.emplace_back(failure.what());
     }
   }
+  if (failures.empty()) return true;
+  failure_ = failures.front();
+  if (failures.size() == copies_.size()) throw FileError(failure_);
+  return false;
+}
+
+/// Writes a record behind all before it.
+void Journal::write(Copy& copy, std::span<const std::uint8_t> record) const {
+  try {
+    if (copy.end == 0 && copy.file->size() > 0) copy.file->truncate(0);
+    if (copy.end < end_) catch_up(copy);
+    copy.file->write_at(end_, record);
+  } catch (const std::runtime_error&) {
+    discard_partial_record(*copy.file, copy.end);
+    throw;
+  }
+  copy.end = end_ + record.size();
+}
+
+/// Writes what this copy lacks; one copy has all records at any time.
+void Journal::catch_up(Copy& copy) const {
+  const LockedFile& complete = *std::ranges::max_element(copies_, {}, &Copy::end)->file;
+  const MappedFile file(complete.path());
+  const auto records = file.bytes().first(end_);
+  if (!file.is_readable(records)) throw FileError(complete.path().string() + ": cannot read");
+  copy.file->write_at(copy.end, records.subspan(copy.end));
+  copy.end = end_;
 }
 
 void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes) {
   const std::vector<std::uint8_t> record = journal_format::write({kind, bytes}, next_);
   require_space(end_ + record.size());
   try {
-    for (const auto& file : files_) file->write_at(end_, record);
+    if (for_each_copy([&](Copy& copy) { write(copy, record); })) {
+      failure_.clear();
+    } else {
+      reserved_ = 0;  // given back with what a copy has not taken
+    }
   } catch (const std::runtime_error&) {
-    for (const auto& file : files_) discard_partial_record(*file, end_);
-    reserved_ = 0;  // given back with it
+    reserved_ = 0;
     throw;
   }
   end_ += record.size();
@@ -235,16 +281,27 @@ void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes)
 }
 
 void Journal::clear() {
-  for (const auto& file : files_) file->truncate(0);
+  for (Copy& copy : copies_) copy.end = copy.synced = 0;
   end_ = 0;
   next_ = {};
   reserved_ = 0;
+  for_each_copy([](Copy& copy) { copy.file->truncate(0); });
   reserve_ahead();
 }
 
-void Journal::sync() const {
-  for (const auto& file : files_) file->sync();
+/// What of a file is on the disk is not known once that failed: it is written again.
+void Journal::sync() {
+  std::vector<Copy*> failed;
+  for_each_copy([&](Copy& copy) {
+    failed.push_back(&copy);
+    copy.file->sync();
+    failed.pop_back();
+    copy.synced = copy.end;
+  });
+  for (Copy* const copy : failed) copy->end = copy->synced;
 }
+
+bool is_about_journal(std::string_view line) { return line.find(".journal: ") != line.npos; }
 
 std::string journal_report(const fs::path& path, const JournalHealth& health) {
   const std::string text = text_of(health);

@@ -50,7 +50,11 @@ std::filesystem::path journal_copy(const std::filesystem::path& path);
 /// give the same bytes. Space beyond the end is reserved on the disk, as far as its file system
 /// can, so that records of together kReserveMinBytes can be appended after the disk became full.
 ///
-/// All file errors throw std::runtime_error with one line that begins with the path.
+/// A disk may fail for one of the files. Records are stored in the other one then, which is
+/// reported by `failure`, and the file gets what it lacks as soon as it takes it.
+///
+/// File errors for which a record is in neither file throw std::runtime_error with one line that
+/// begins with the path.
 class Journal {
  public:
   static constexpr std::uint64_t kReserveMinBytes = 1'000'000;  ///< for each copy
@@ -75,8 +79,11 @@ class Journal {
   /// Removes all records.
   void clear();
 
-  /// Returns when all records are on the disk.
-  void sync() const;
+  /// Returns when all records are on the disk, in a file at least.
+  void sync();
+
+  /// Why the last record is not stored, or not in both files, in one line; empty if it is.
+  [[nodiscard]] const std::string& failure() const { return failure_; }
 
   /// Integrity of the files when they were opened.
   [[nodiscard]] const JournalHealth& health() const { return health_; }
@@ -85,21 +92,41 @@ class Journal {
   [[nodiscard]] const std::string& damage() const { return damage_; }
 
  private:
-  void repair(std::unique_ptr<LockedFile>& file, const JournalScan& found,
-              const std::vector<JournalScan::Found>& joined);
-  void replace(std::unique_ptr<LockedFile>& file, const std::vector<JournalScan::Found>& joined,
-               bool keep);
+  struct Copy {
+    std::unique_ptr<LockedFile> file;
+    std::uint64_t end = 0;     // of the records in it, which are the first ones of the journal
+    std::uint64_t synced = 0;  // end of those that are on the disk
+  };
 
+  void repair(Copy& copy, const JournalScan& found,
+              const std::vector<JournalScan::Found>& joined) const;
+  static void replace(std::unique_ptr<LockedFile>& file,
+                      const std::vector<JournalScan::Found>& joined, bool keep);
+
+  bool for_each_copy(const std::function<void(Copy&)>& work);
+  void write(Copy& copy, std::span<const std::uint8_t> record) const;
+  void catch_up(Copy& copy) const;
   void reserve_ahead();
   void require_space(std::uint64_t end);
 
-  std::vector<std::unique_ptr<LockedFile>> files_;  // the same bytes in each
+  std::vector<Copy> copies_;
+  std::string failure_;
   JournalHealth health_;
   std::string damage_;
   journal_format::Place next_;  // of the next record
   std::uint64_t end_ = 0;       // its offset
   std::uint64_t reserved_ = 0;  // end of the reserved space, of each file
 };
+
+/// What a stage reports of its journal, or that of its parts, in one line: `error`, why it could
+/// not be written last; otherwise why one of its files lacks records. Empty if all is stored twice.
+template <class StageJournal>
+std::string storage_failure(const std::optional<StageJournal>& journal, const std::string& error) {
+  return error.empty() && journal ? journal->failure() : error;
+}
+
+/// Whether a line that a stage reports is about its journal.
+bool is_about_journal(std::string_view line);
 
 /// Passes the records of a journal and its copy, which may be in use, to the reader without
 /// changing the files. Throws like the constructor of Journal, and if the file does not exist.

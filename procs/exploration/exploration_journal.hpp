@@ -37,6 +37,8 @@ class ExplorationJournal {
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
   [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
+  /// That of Journal.
+  [[nodiscard]] const std::string& failure() const { return journal_.failure(); }
 
   /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
   /// What 3D scans observed is not stored again.

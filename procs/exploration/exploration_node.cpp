@@ -270,7 +270,8 @@ Health ExplorationNode::health() const {
   if (local_maps_rejected_ > 0) {
     return {Level::kDegraded, fmt::format("{} local maps are malformed", local_maps_rejected_)};
   }
-  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
+  const std::string not_stored = storage_failure(journal_, journal_failure_);
+  if (!not_stored.empty()) return {Level::kFault, not_stored};
   if (const std::size_t missing = local_maps_missing(); missing > 0) {
     return {Level::kDegraded, fmt::format("{} local maps are missing", missing)};
   }

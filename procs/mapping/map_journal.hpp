@@ -31,6 +31,8 @@ class MapJournal {
   [[nodiscard]] const std::string& report() const { return report_; }
   /// Whether it was damaged, other than by a power loss.
   [[nodiscard]] bool is_damaged() const { return is_damaged_; }
+  /// That of Journal.
+  [[nodiscard]] const std::string& failure() const { return journal_.failure(); }
 
   /// Appends a local map and its decisions. Returns when they are on disk.
   void append(const MapUpdate& update);

@@ -65,7 +65,7 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
 void MappingNode::restore(const std::string& journal) {
   journal_.emplace(journal);
   restored_ = mapping_.restore(journal_->take_restored());
-  if (restored_) write_journal([&] { journal_->append(*restored_); });
+  if (restored_) store(*restored_);
   const std::vector<Association> reconnected = mapping_.reconnect();
   if (!reconnected.empty()) write_journal([&] { journal_->append(reconnected); });
   graph_pending_ = true;
@@ -100,6 +100,7 @@ void MappingNode::journal_unfinished() {
   const LocalMap& map = mapping_.unfinished();
   const auto& maps = mapping_.local_maps();
   if (map.scans.empty() || (!maps.empty() && maps.back().session != map.session)) return;
+  if (!unstored_.empty()) return;  // parts without the local map before would take its place
   if (const bool replaces = journaled_map_ == kReplaced; map.id != journaled_map_) {
     journaled_map_ = map.id;
     T_local_journaled_ = {};
@@ -117,19 +118,28 @@ void MappingNode::journal_unfinished() {
 
 /// A map that the journal has lost parts of is doubtful as long as the stage runs.
 Health MappingNode::health() const {
-  if (!health_.reason.empty()) return health_;
+  const std::string not_stored = storage_failure(journal_, journal_failure_);
+  if (!not_stored.empty()) return {Health::Level::kFault, not_stored};
   if (journal_ && journal_->is_damaged()) return {Health::Level::kDegraded, journal_->report()};
   const std::string fault = clocks_.fault(bus_.now_utime());
   return fault.empty() ? Health{} : Health{Health::Level::kDegraded, fault};
 }
 
 void MappingNode::write_journal(const std::function<void()>& append) {
-  health_ = {};
+  journal_failure_.clear();
   try {
     append();
   } catch (const std::exception& failure) {
-    health_ = {Health::Level::kDegraded, failure.what()};
+    journal_failure_ = failure.what();
   }
+}
+
+/// What could not be stored is stored with a later update.
+void MappingNode::store(const MapUpdate& update) {
+  unstored_.push_back(update);
+  write_journal([&] {
+    for (; !unstored_.empty(); unstored_.pop_front()) journal_->append(unstored_.front());
+  });
 }
 
 /// Stored before it is published: what was announced is never lost. A discarded map leaves the
@@ -140,7 +150,7 @@ void MappingNode::handle_update(const MapUpdate& update) {
     publish_correction();
     return;
   }
-  if (journal_) write_journal([&] { journal_->append(update); });
+  if (journal_) store(update);
   publish_update(update);
 }
 

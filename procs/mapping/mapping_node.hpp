@@ -51,8 +51,8 @@ class MappingNode {
   /// Throws std::runtime_error if the journal cannot be used.
   MappingNode(Bus& bus, const Params& params);
 
-  /// Degraded if the journal cannot be written or was damaged when it was opened, or if the clock
-  /// of a sensor is off.
+  /// Fault if the journal cannot be written; degraded if it was damaged when it was opened, or if
+  /// the clock of a sensor is off.
   [[nodiscard]] Health health() const;
   [[nodiscard]] const Mapping& map() const { return mapping_; }
 
@@ -60,6 +60,7 @@ class MappingNode {
   void on_match(const ScanMatch& match);
   void restart_time();
   void restore(const std::string& journal);
+  void store(const MapUpdate& update);
   void write_journal(const std::function<void()>& append);
   void journal_unfinished();
   void handle_update(const MapUpdate& update);
@@ -85,7 +86,8 @@ class MappingNode {
   Pose2 T_local_journaled_;            ///< pose at the end of that part
   /// Scans waiting for their match, by channel.
   std::map<std::string, std::deque<LaserScan>> waiting_;
-  Health health_;
+  std::deque<MapUpdate> unstored_;  ///< updates that the disk has not taken
+  std::string journal_failure_;
 };
 
 }  // namespace adit

@@ -47,6 +47,8 @@ class MissionJournal {
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
   [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
+  /// That of Journal.
+  [[nodiscard]] const std::string& failure() const { return journal_.failure(); }
 
   /// Returns when the phase is on disk.
   void append(const MissionPhase& phase);

@@ -6,6 +6,8 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/journal/journal.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
@@ -40,6 +42,8 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
                    [this](const GasReading& gas) { mission_.limits().add(gas); });
   subscribe<sinkage_t>(bus, channels::kSinkage, latest,
                        [this](const SinkageReading& s) { mission_.limits().add(s); });
+  subscribe<heartbeat_t>(bus, channels::kHeartbeat, Delivery::queued(kQueueLength),
+                         [this](const Heartbeat& heartbeat) { on_heartbeat(heartbeat); });
   subscribe<mission_order_t>(bus, channels::kMissionOrder, Delivery::queued(kQueueLength),
                              [this](const MissionOrder& order) {
                                mission_.add_order(order);
@@ -86,6 +90,14 @@ void MissionNode::subscribe_to_stages() {
                              });
 }
 
+/// A map that the disk does not take is of no use to who waits for it outside.
+void MissionNode::on_heartbeat(const Heartbeat& heartbeat) {
+  const Health& health = heartbeat.health;
+  if (health.level != Health::Level::kFault || !is_about_journal(health.reason)) return;
+  mission_.limits().add_disk_failure("what " + heartbeat.stage +
+                                     " publishes is not stored safely: " + health.reason);
+}
+
 /// What the mission has seen of the map is on disk before it is used: a map that has fewer local
 /// maps after a restart has lost its end.
 void MissionNode::on_correction(const MapCorrection& correction) {
@@ -125,14 +137,15 @@ void MissionNode::store(const Record& record) {
     journal_failure_.clear();
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();
-    mission_.limits().add_disk_failure(journal_failure_);
   }
+  mission_.limits().add_disk_failure(storage_failure(journal_, journal_failure_));
 }
 
 Health MissionNode::health() const {
   using Level = Health::Level;
   const MissionPhase& phase = mission_.phase();
-  if (!journal_failure_.empty()) return {Level::kFault, journal_failure_};
+  const std::string not_stored = storage_failure(journal_, journal_failure_);
+  if (!not_stored.empty()) return {Level::kFault, not_stored};
   if (phase.outcome == MissionOutcome::kStranded) return {Level::kFault, phase.reason};
   if (phase.outcome == MissionOutcome::kHomeUncertain) return {Level::kDegraded, phase.reason};
   if (phase.phase == Phase::kWaiting) {

@@ -44,6 +44,7 @@ class MissionNode {
 
  private:
   void subscribe_to_stages();
+  void on_heartbeat(const Heartbeat& heartbeat);
   void on_correction(const MapCorrection& correction);
   void advance();
   void publish_phase();

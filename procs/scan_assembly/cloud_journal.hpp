@@ -56,6 +56,8 @@ class CloudJournal {
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
   [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
+  /// That of Journal.
+  [[nodiscard]] const std::string& failure() const { return journal_.failure(); }
 
   /// Returns when the scan is on disk. Throws std::runtime_error if that fails.
   void store(const Cloud& cloud);

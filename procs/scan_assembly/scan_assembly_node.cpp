@@ -95,7 +95,8 @@ void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& wo
 
 Health ScanAssemblyNode::health() const {
   using Level = Health::Level;
-  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
+  const std::string not_stored = storage_failure(journal_, journal_failure_);
+  if (!not_stored.empty()) return {Level::kFault, not_stored};
   if (!scan_assembly_.problem().empty()) return {Level::kDegraded, scan_assembly_.problem()};
   if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};
   const std::string fault = clocks_.fault(bus_.now_utime());

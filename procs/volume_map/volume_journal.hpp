@@ -26,6 +26,8 @@ class VolumeJournal {
 
   /// What to tell a person if the file was damaged when it was opened, in one line; empty if not.
   [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
+  /// That of Journal.
+  [[nodiscard]] const std::string& failure() const { return journal_.failure(); }
 
   /// Appends what is new, and synchronizes with the disk.
   void store(const VolumeMap& map);

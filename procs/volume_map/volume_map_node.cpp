@@ -141,7 +141,8 @@ Health VolumeMapNode::health() const {
   if (clouds_.counts().superseded > superseded_) {
     return {Level::kDegraded, "fragments of a 3D scan are missing"};
   }
-  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
+  const std::string not_stored = storage_failure(journal_, journal_failure_);
+  if (!not_stored.empty()) return {Level::kFault, not_stored};
   if (!placed_) return {Level::kDegraded, "the last 3D scan cannot be localized"};
   if (incomplete_) return {Level::kDegraded, "the last 3D scan is incomplete"};
   if (journal_ && !journal_->damage().empty()) return {Level::kDegraded, journal_->damage()};

@@ -181,7 +181,7 @@ class LiveMission {
       const std::int64_t now_us = steady_us();
       result.abort_reason = abort_reason(stop, now_us);
       restart_timed_out_stages(now_us);
-      report_record();
+      report_not_stored();
       if (viewer_) {
         if (const auto failure = viewer_->keep_running()) notify_(*failure);
       }
@@ -224,9 +224,9 @@ class LiveMission {
     return "simulated time has stopped; see supervisor.log";
   }
 
-  void report_record() {
-    const std::string stopped = monitor_.progress().record_stopped;
-    if (std::exchange(record_stopped_, stopped) != stopped) notify_(stopped);
+  void report_not_stored() {
+    const std::vector<std::string> lines = monitor_.progress().not_stored;
+    for (; reported_ < lines.size(); ++reported_) notify_(lines[reported_]);
   }
 
   /// The supervisor cannot detect this: while one stage hangs, simulated time stops, and no stage
@@ -245,7 +245,7 @@ class LiveMission {
   MissionMonitor monitor_;
   SupervisorProgram supervisor_;
   std::optional<ViewerProgram> viewer_;
-  std::string record_stopped_;
+  std::size_t reported_ = 0;  // lines on what is not stored
   std::int64_t utime_ = 0;
   std::int64_t advanced_us_ = 0;  // wall time
 };

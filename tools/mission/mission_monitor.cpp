@@ -10,6 +10,7 @@
 #include "common/bus/log/recording.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/journal/journal.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
@@ -48,9 +49,10 @@ void MissionMonitor::subscribe_all(Bus& bus) {
     follower_.set_distance_from_start(std::hypot(off.x(), off.y(), truth.z_m - *start_.z_m));
   });
   subscribe<heartbeat_t>(bus, channels::kHeartbeat, all, [this](const Heartbeat& heartbeat) {
-    const bool has_stopped = heartbeat.health.level != Health::Level::kOk;
-    if (heartbeat.stage == Recording::kStage && has_stopped)
-      follower_.set_record_stopped(heartbeat.health.reason);
+    const Health& health = heartbeat.health;
+    if (heartbeat.stage == Recording::kStage) follower_.add_not_stored(health.reason);
+    if (health.level == Health::Level::kFault && is_about_journal(health.reason))
+      follower_.add_not_stored(heartbeat.stage + ": " + health.reason);
   });
   subscribe<cloud_t>(bus, channels::kCloud, all, [this](const CloudFragment& fragment) {
     if (fragment.fragment == 0) scans_to_store_.insert(fragment.part.utime);

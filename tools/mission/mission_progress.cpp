@@ -31,7 +31,7 @@ std::string progress_text(const MissionProgress& progress, double factor) {
       "{:3} scans, {:.1f} x real time{}",
       progress.simulated_s, name_of(phase.phase), phase.returning_home ? "returning" : "outbound ",
       phase.distance_travelled_m, progress.distance_from_start_m, progress.local_maps, phase.scans,
-      factor, progress.record_stopped.empty() ? "" : ", not recorded");
+      factor, progress.not_stored.empty() ? "" : ", not all is stored");
 }
 
 MissionFollower::MissionFollower(Bus& bus, const std::filesystem::path& file,
@@ -71,8 +71,13 @@ void MissionFollower::set_distance_from_start(double distance_m) {
   farthest_m_ = std::max(farthest_m_, distance_m);
 }
 
+void MissionFollower::add_not_stored(const std::string& line) {
+  const bool is_known = std::ranges::find(not_stored_, line) != not_stored_.end();
+  if (!line.empty() && !is_known) not_stored_.push_back(line);
+}
+
 MissionProgress MissionFollower::progress() const {
-  return {phase_, simulated_s_(), distance_from_start_m_, local_maps_, record_stopped_};
+  return {phase_, simulated_s_(), distance_from_start_m_, local_maps_, not_stored_};
 }
 
 std::string MissionFollower::failure() const {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -28,7 +29,8 @@ struct MissionProgress {
   double simulated_s = 0.0;
   double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose, in space
   int local_maps = 0;
-  std::string record_stopped = {};  ///< why the recording has stopped; empty while it runs
+  /// What the disk has not taken and why, a line each: the recording, or what a stage stores.
+  std::vector<std::string> not_stored = {};
 };
 
 /// Progress as one line; `factor` is the speed in multiples of real time.
@@ -46,8 +48,9 @@ class MissionFollower {
   MissionFollower(const MissionFollower&) = delete;
   MissionFollower& operator=(const MissionFollower&) = delete;
 
-  /// The recording of the run has stopped: why, in one line.
-  void set_record_stopped(const std::string& reason) { record_stopped_ = reason; }
+  /// The disk does not take the recording, or what a stage stores: one line, empty if it does.
+  /// Stays.
+  void add_not_stored(const std::string& line);
   /// Takes the present straight-line distance of the true pose from the start.
   void set_distance_from_start(double distance_m);
 
@@ -74,7 +77,7 @@ class MissionFollower {
   int local_maps_ = 0;
   double distance_from_start_m_ = 0.0;
   double farthest_m_ = 0.0;
-  std::string record_stopped_;
+  std::vector<std::string> not_stored_;
 };
 
 }  // namespace adit

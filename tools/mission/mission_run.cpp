@@ -67,7 +67,7 @@ class MissionInProcess {
       }
     }
     log_.close();
-    follower_.set_record_stopped(log_.stopped());
+    follower_.add_not_stored(log_.stopped());
     return {.last = follower_.progress(),
             .distance_from_start_m = distance_from_start_m(),
             .farthest_m = follower_.farthest_m(),
@@ -82,7 +82,7 @@ class MissionInProcess {
     if (utime < space_utime_ + kSpacePeriodUs) return;
     space_utime_ = utime;
     log_.check_space(utime);
-    follower_.set_record_stopped(log_.stopped());
+    follower_.add_not_stored(log_.stopped());
   }
 
   [[nodiscard]] bool is_over() const {

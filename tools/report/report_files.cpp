@@ -14,6 +14,7 @@
 #include "common/files/file_utils.hpp"
 #include "common/geometry/local_crs.hpp"
 #include "common/grid/occupancy_grid.hpp"
+#include "common/journal/journal.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/types/exploration.hpp"
@@ -119,8 +120,8 @@ Json contradictory_json(const MissionStatistics& statistics) {
 Json journals_json(const EventRecord& events) {
   std::set<std::string> lines;
   for (const MissionEvent& event : events.events()) {
-    const bool names_journal = event.description.find(".journal: ") != std::string::npos;
-    if (event.kind == MissionEvent::Kind::kHealth && names_journal) lines.insert(event.description);
+    if (event.kind == MissionEvent::Kind::kHealth && is_about_journal(event.description))
+      lines.insert(event.description);
   }
   return lines;
 }

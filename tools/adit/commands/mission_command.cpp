@@ -57,9 +57,8 @@ class MissionProgressPrinter {
   /// Prints the outcome and the run time. `abort_reason` is empty if the mission ended by itself.
   static void end(const MissionProgress& last, const std::string& abort_reason,
                   const std::string& trace_failure, double wall_s) {
-    for (const std::string& loss : {last.record_stopped, trace_failure}) {
-      if (!loss.empty()) print_error("adit mission", loss);
-    }
+    for (const std::string& line : last.not_stored) print_error("adit mission", line);
+    if (!trace_failure.empty()) print_error("adit mission", trace_failure);
     std::string outcome = abort_reason.empty() ? last.phase.reason : abort_reason;
     if (const std::string& why = last.phase.return_home_reason; !why.empty())
       outcome += "; it turned around: " + why;
@@ -111,9 +110,9 @@ During the mission:
 Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
 
 constexpr const char* kMissionExitCodes =
-    "  1  the robot did not return to the start, or is not sure that it did; or the recording had "
-    "to\n"
-    "     stop, for want of space on the disk or as it failed";
+    "  1  the robot did not return to the start, or is not sure that it did; or the disk "
+    "did\n"
+    "     not take the recording or what a stage stores, for want of space or as it failed";
 
 constexpr const char* kMissionExamples =
     R"(  adit mission mathies --out mission
@@ -147,7 +146,7 @@ void survey_mine(const std::filesystem::path& folder) try {
 void require_return(const MissionProgress& last, const std::string& abort_reason,
                     const std::string& trace_failure) {
   const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome;
-  if (!home || !last.record_stopped.empty() || !trace_failure.empty())
+  if (!home || !last.not_stored.empty() || !trace_failure.empty())
     throw CLI::RuntimeError(kExitNotReturned);
 }
 

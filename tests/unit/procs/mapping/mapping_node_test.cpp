@@ -3,6 +3,7 @@
 #include "procs/mapping/mapping_node.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
@@ -13,13 +14,16 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/journal/journal.hpp"
 #include "common/messages/fields/mapping_fields.hpp"
 #include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/sensing.hpp"
+#include "procs/mapping/map_journal.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/message_fields.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/sim/sample_run.hpp"
@@ -135,6 +139,26 @@ TEST_F(MappingNodeOnABus, PublishesTheCorrectionAsSoonAsOdomIsKnown) {
   const Pose2 off = between(before.T_map_odom, correction_->T_map_odom);
   EXPECT_LT(off.translation().norm(), 0.05);
   EXPECT_LT(std::abs(off.theta), 0.01);
+}
+
+/// What the disk does not take, in the middle of a local map too, is stored later: no gap remains.
+TEST_F(MappingNodeOnABus, StoresItsMapOnceTheDiskHasRoom) {
+  const auto path = scratch_ / "map.journal";
+  drive(200);
+  const std::size_t before = node_->map().local_maps().size();
+  EXPECT_EQ(node_->health(), Health{});
+  {
+    const test::FileSizeLimit full(std::filesystem::file_size(path) + 40'000);
+    drive(150);
+    EXPECT_EQ(node_->health().level, Health::Level::kFault);
+    EXPECT_TRUE(is_about_journal(node_->health().reason)) << node_->health().reason;
+  }
+  EXPECT_GT(node_->map().local_maps().size(), before + 1);
+  drive(100);
+  EXPECT_EQ(node_->health(), Health{});
+  const StoredMap stored = read_map_journal(path);
+  EXPECT_FALSE(stored.losses.has_gap());
+  EXPECT_TRUE(stored.maps == node_->map().local_maps().load_all());  // too long to print
 }
 
 TEST_F(MappingNodeOnABus, PublishesNoCorrectionBeforeTheFirstMapInNewOdom) {

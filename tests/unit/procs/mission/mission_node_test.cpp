@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
 
@@ -54,6 +56,23 @@ TEST_F(MissionNodeOnABus, MeasuresTheDistanceDespiteAbsurdPoses) {
   });
   ASSERT_TRUE(phase_);
   EXPECT_NEAR(phase_->distance_travelled_m, 2.0, 0.2);  // the path has a pose every 0.1 m or so
+}
+
+TEST_F(MissionNodeOnABus, TurnsAroundWhenTheDiskTakesNoMap) {
+  using Level = Health::Level;
+  const auto report = [this](Level level, const std::string& reason) {
+    const Heartbeat heartbeat{utime_, "mapping", {level, reason}, 0, 0, 0};
+    bus_.inject(utime_, channels::kHeartbeat, encode(to_message(heartbeat)));
+  };
+  drive(1.0, [&] {
+    report(Level::kDegraded, "map.journal: 20 bytes are damaged");
+    report(Level::kFault, "the path ends");
+  });
+  ASSERT_TRUE(phase_);
+  EXPECT_EQ(phase_->return_home_reason, "");
+  const std::string failure = "map.journal: cannot write: Input/output error";
+  drive(1.0, [&] { report(Level::kFault, failure); });
+  EXPECT_EQ(phase_->return_home_reason, "what mapping publishes is not stored safely: " + failure);
 }
 
 }  // namespace

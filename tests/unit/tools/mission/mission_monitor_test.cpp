@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_monitor.hpp"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mission.hpp"
@@ -120,6 +122,23 @@ TEST_F(MissionMonitorTest, EndsAfterATimeWithoutVolumeMap) {
   publish_time(kStart + 31 * kSecond);
   EXPECT_TRUE(monitor_.has_ended());
   EXPECT_EQ(monitor_.scans_to_store(), 1U);
+}
+
+TEST_F(MissionMonitorTest, ReportsOnceWhatIsNotStored) {
+  const auto report = [this](const std::string& stage, Health health) {
+    publish(bus_, channels::kHeartbeat,
+            to_message(Heartbeat{kStart, stage, std::move(health), 0, 0, 0}));
+    bus_.advance_to(bus_.now_utime());
+  };
+  using Level = Health::Level;
+  const Health failing{Level::kFault, "mapping.journal: cannot write: Input/output error"};
+  for (int i = 0; i < 2; ++i) {
+    report("mapping", {});
+    report("mapping", {Level::kDegraded, "map.journal: 20 bytes are damaged"});
+    report("mission", {Level::kFault, "the robot is stranded"});
+    report("mapping", failing);
+  }
+  EXPECT_THAT(monitor_.progress().not_stored, ElementsAre("mapping: " + failing.reason));
 }
 
 TEST_F(MissionMonitorTest, MeasuresDistancesFromTheFirstStart) {

@@ -58,8 +58,8 @@ class ExplorationNode {
   /// Throws std::runtime_error if the journal cannot be used.
   ExplorationNode(Bus& bus, const Params& params);
 
-  /// Degraded if local maps are malformed or missing, the journal cannot be written, or no decision
-  /// is possible.
+  /// Fault if the journal cannot be written; degraded if local maps are malformed or missing, or no
+  /// decision is possible.
   [[nodiscard]] Health health() const;
 
  private:

@@ -27,8 +27,9 @@ struct MissionNodeParams : MissionParams {
 /// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
 ///      (exploration_t), TERRAIN_READY (terrain_ready_t), PATH (planned_path_t), DRIVING_STATE
 ///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
-///      MISSION_ORDER (mission_order_t). Not CLOUD and TERRAIN, 2 MB with each 3D scan: the receive
-///      buffer of LCM grows to the largest burst that ever waited, and does not shrink.
+///      HEARTBEAT (heartbeat_t) of stages whose journal fails, MISSION_ORDER (mission_order_t). Not
+///      CLOUD and TERRAIN, 2 MB with each 3D scan: the receive buffer of LCM grows to the largest
+///      burst that ever waited, and does not shrink.
 /// Out: PHASE (phase_t), on change and each second; EXPLORE_REQUEST (explore_request_t),
 ///      SCAN_REQUEST (scan_request_t) and GOAL (plan_goal_t), each repeated until it is answered.
 class MissionNode {

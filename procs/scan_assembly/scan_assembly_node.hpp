@@ -43,8 +43,8 @@ class ScanAssemblyNode {
   /// Throws std::runtime_error if the journal cannot be used.
   ScanAssemblyNode(Bus& bus, const Params& params);
 
-  /// Degraded if the last request was rejected, its sweep was aborted or not levelled, a 3D scan
-  /// cannot be stored, or the clock of a sensor is off.
+  /// Fault if the journal cannot be written; degraded if the last request was rejected, its sweep
+  /// was aborted or not levelled, or the clock of a sensor is off.
   [[nodiscard]] Health health() const;
 
  private:

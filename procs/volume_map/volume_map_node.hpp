@@ -42,8 +42,8 @@ class VolumeMapNode {
   /// Throws std::runtime_error if the journal cannot be used.
   VolumeMapNode(Bus& bus, const Params& params);
 
-  /// Degraded if the newest 3D scan is incomplete, lacks fragments or cannot be localized, or if
-  /// the journal cannot be written.
+  /// Fault if the journal cannot be written; degraded if the newest 3D scan is incomplete, lacks
+  /// fragments or cannot be localized.
   [[nodiscard]] Health health() const;
 
   [[nodiscard]] const VolumeMap& map() const { return map_; }

@@ -57,12 +57,12 @@ void MissionMonitor::subscribe_all(Bus& bus) {
   subscribe<cloud_t>(bus, channels::kCloud, all, [this](const CloudFragment& fragment) {
     if (fragment.fragment == 0) scans_to_store_.insert(fragment.part.utime);
   });
-  subscribe<cloud_request_t>(
-      bus, channels::kCloudRequest, all, [this](const CloudRequest& request) {
-        for (const std::int64_t utime : request.received_utime) scans_to_store_.erase(utime);
-        std::erase_if(scans_to_store_,
-                      [&](std::int64_t utime) { return utime <= request.after_utime; });
-      });
+  // Terrain requests scans, too, and reports none as received.
+  subscribe<cloud_request_t>(bus, channels::kCloudRequest, all,
+                             [this](const CloudRequest& request) {
+                               for (const std::int64_t utime : request.received_utime)
+                                 scans_to_store_.erase(utime);
+                             });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });
 }

@@ -35,7 +35,7 @@ class MissionMonitor {
   [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
   /// For long enough to record it and, if possible, until the volume map has all 3D scans.
   [[nodiscard]] bool has_ended() const;
-  /// Published 3D scans that the volume map has not reported as received, though it can place them.
+  /// Published 3D scans that the volume map has not reported as received.
   [[nodiscard]] std::size_t scans_to_store() const { return scans_to_store_.size(); }
   /// Failure of the simulated run, a collision; empty without.
   [[nodiscard]] const std::string& failure() const { return failure_; }

@@ -57,7 +57,7 @@ class MissionMonitorTest : public testing::Test {
     publish(bus_, channels::kCloud, to_message(scan));
     bus_.advance_to(bus_.now_utime());
   }
-  void publish_received(std::int64_t after_utime, std::vector<std::int64_t> received_utime) {
+  void publish_request(std::int64_t after_utime, std::vector<std::int64_t> received_utime) {
     publish(bus_, channels::kCloudRequest,
             to_message(CloudRequest{bus_.now_utime(), after_utime, std::move(received_utime)}));
     bus_.advance_to(bus_.now_utime());
@@ -102,14 +102,14 @@ TEST_F(MissionMonitorTest, EndsWhenTheVolumeMapHasAllScans) {
   publish_time(kStart);
   publish_scan(kStart);
   publish_scan(kStart + kSecond);
-  publish_scan(kStart + 2 * kSecond);
   publish_phase(Phase::kEnded, 1);
   publish_time(kStart + 3 * kSecond);
   EXPECT_FALSE(monitor_.has_ended());
-  publish_received(kStart, {kStart + kSecond});  // the first one is of an earlier odom frame
+  publish_request(kStart + kSecond, {});  // of terrain
+  publish_request(0, {kStart + kSecond});
   EXPECT_FALSE(monitor_.has_ended());
   EXPECT_EQ(monitor_.scans_to_store(), 1U);
-  publish_received(kStart, {kStart + kSecond, kStart + 2 * kSecond});
+  publish_request(0, {kStart, kStart + kSecond});
   EXPECT_TRUE(monitor_.has_ended());
 }
 

@@ -80,7 +80,8 @@ TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
           params.tilt,
           front ? 0.0 : 0.5,
           stream_seed(seed, front ? RandomStream::kFrontLaser : RandomStream::kRearLaser),
-          stream_seed(seed, front ? RandomStream::kFrontScanLoss : RandomStream::kRearScanLoss)};
+          stream_seed(seed, front ? RandomStream::kFrontScanLoss : RandomStream::kRearScanLoss),
+          front ? params.front_mount_error : MountErrorParams{}};
 }
 
 }  // namespace

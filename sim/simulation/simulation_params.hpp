@@ -10,6 +10,7 @@
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/vehicle.hpp"
 #include "sim/laser/laser_params.hpp"
+#include "sim/laser/mount_error_params.hpp"
 #include "sim/laser/spinning_lidar_params.hpp"
 #include "sim/laser/tilt_actuator.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
@@ -57,6 +58,7 @@ struct SimulationParams {
   LaserParams laser;
   SpinningLidarParams lidar;  ///< if lasers.lidar is present
   TiltParams tilt;
+  MountErrorParams front_mount_error;
   VehicleModelParams motion;
   WheelOdometryParams wheel_odometry;
   ImuParams imu;
@@ -71,6 +73,7 @@ struct SimulationParams {
     v("laser", laser);
     v("lidar", lidar);
     v("tilt", tilt);
+    v("front_mount_error", front_mount_error);
     v("motion", motion);
     v("wheel_odometry", wheel_odometry);
     v("imu", imu);

@@ -64,13 +64,16 @@ std::int64_t ScanSchedule::end_utime() const {
 TiltingLaser::TiltingLaser(const RayScene& scene, const Setup& setup, std::int64_t utime,
                            const Eigen::Isometry3d& T_world_body)
     : mount_(setup.mount),
+      tilt_error_rad_(setup.error.tilt_rad),
       laser_(scene, setup.laser, setup.noise_seed),
       tilt_(setup.tilt),
       schedule_(setup.laser, utime, setup.phase),
       history_({utime, T_world_body, tilt_.angle_rad()}),
       scan_loss_(setup.laser.scan_loss),
       loss_random_(setup.loss_seed),
-      utime_(utime) {}
+      utime_(utime) {
+  mount_.T_body_laser.theta += setup.error.yaw_rad;
+}
 
 void TiltingLaser::advance(std::int64_t utime, const Eigen::Isometry3d& T_world_body) {
   tilt_.advance(seconds(utime - utime_));
@@ -97,7 +100,7 @@ LaserScan TiltingLaser::measure() {
   const std::int64_t begin = schedule_.begin_utime();
   const auto T_world_laser = [&](double seconds) {
     const MotionHistory::BodyState state = history_.at(begin, seconds);
-    return state.T_world_body * tilted_laser(mount_, state.tilt_rad);
+    return state.T_world_body * tilted_laser(mount_, state.tilt_rad + tilt_error_rad_);
   };
   return laser_.measure(T_world_laser, begin);
 }

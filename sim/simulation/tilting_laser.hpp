@@ -13,6 +13,7 @@
 #include "common/sensing/laser_mount.hpp"
 #include "sim/laser/laser_model.hpp"
 #include "sim/laser/laser_params.hpp"
+#include "sim/laser/mount_error_params.hpp"
 #include "sim/laser/tilt_actuator.hpp"
 
 namespace adit {
@@ -71,6 +72,7 @@ class TiltingLaser {
     double phase = 0.0;  ///< offset of its scans, as a fraction of the period
     std::uint64_t noise_seed = 0;
     std::uint64_t loss_seed = 0;
+    MountErrorParams error = {};
   };
   struct FinishedScan {
     std::int64_t utime = 0;  ///< of its last beam
@@ -95,7 +97,8 @@ class TiltingLaser {
   bool is_lost(const AliveAt& alive);
   LaserScan measure();
 
-  LaserMount mount_;
+  LaserMount mount_;  ///< the true one
+  double tilt_error_rad_;
   LaserModel laser_;
   TiltActuator tilt_;
   ScanSchedule schedule_;

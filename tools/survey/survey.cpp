@@ -64,6 +64,12 @@ LasPoints las_points(const MineSurvey& survey) {
   };
 }
 
+std::optional<LaserAlignment> alignment_of(const SurveyInput& input) {
+  if (!input.lasers() || !input.lasers()->has_rear()) return std::nullopt;
+  return laser_alignment(scan_rotations(input.cloud_matches(), input.map().full_map().graph,
+                                        input.clouds(), *input.lasers()));
+}
+
 void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
   for (const SurveyGraph::Node& node : graph.nodes()) {
     result.plan_sd_max_m = std::max(result.plan_sd_max_m, position_sd_m(node.covariance));
@@ -106,6 +112,9 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
     if (point.is_suspect()) result.warnings.push_back(suspicion(point));
   }
   result.control = survey.datum().residuals;
+  result.alignment = alignment_of(survey.input());
+  if (const std::string text = suspicion(result.alignment); !text.empty())
+    result.warnings.push_back(text);
 
   if (progress) progress("writing", 0.0);
   const ResultFolder results(options.folder);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tools/survey/frame/laser_alignment.hpp"
 #include "tools/survey/mesh/void_mesh.hpp"
 #include "tools/survey/mine_survey.hpp"
 
@@ -24,7 +26,9 @@ struct SurveyResult {
       0.0;  ///< largest standard deviation of a local map, in the worst direction
   double z_sd_max_m = 0.0;
   std::vector<ControlResidual> control;  ///< empty without control
-  std::vector<std::string> warnings;     ///< one sentence each
+  /// Nothing with one laser, and where too few scans of both see the same.
+  std::optional<LaserAlignment> alignment;
+  std::vector<std::string> warnings;  ///< one sentence each
 };
 
 /// Surveys the mine of a mission and writes the files that `adit survey --help` lists. Throws

@@ -3,7 +3,9 @@
 #include "tools/survey/survey_statements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,8 @@
 
 namespace adit {
 namespace {
+
+double in_degrees(double rad) { return rad * 180.0 / std::numbers::pi; }
 
 /// Empty without pillars.
 std::string pillar_statement(const MineSurvey& survey) {
@@ -58,6 +62,35 @@ std::string suspicion(const ControlResidual& point) {
       quote(point.name), v.x(), v.y(), v.z());
 }
 
+std::string suspicion(const std::optional<LaserAlignment>& alignment) {
+  static constexpr std::array<const char*, 3> kAxes{"roll", "pitch", "yaw"};
+  std::string off;
+  for (int axis = 0; alignment && axis < 3; ++axis) {
+    if (!alignment->is_off(axis)) continue;
+    off += fmt::format("{}{:+.2f} ± {:.2f}° in {}", off.empty() ? "" : ", ",
+                       in_degrees(alignment->rotation_rad[axis]),
+                       1.96 * in_degrees(alignment->sd_rad[axis]),
+                       kAxes[static_cast<std::size_t>(axis)]);
+  }
+  if (off.empty()) return off;
+  return fmt::format(
+      "the front laser stands otherwise than configured, or the rear one does: {} (95 %, front "
+      "less "
+      "rear, {} pairs of 3D scans); coordinates are less certain than stated",
+      off, alignment->matches);
+}
+
+std::string alignment_statement(const std::optional<LaserAlignment>& alignment) {
+  if (!alignment) return {};
+  const Eigen::Vector3d off = in_degrees(1.0) * alignment->rotation_rad;
+  const Eigen::Vector3d sd = 1.96 * in_degrees(1.0) * alignment->sd_rad;
+  return fmt::format(
+      "Mount of the front laser against the rear one, by {} pairs of 3D scans: {:+.2f} ± {:.2f}° "
+      "in "
+      "roll, {:+.2f} ± {:.2f}° in pitch, {:+.2f} ± {:.2f}° in yaw (95 %).",
+      alignment->matches, off.x(), sd.x(), off.y(), sd.y(), off.z(), sd.z());
+}
+
 PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result) {
   const LogInfo& log_info = survey.input().log_info();
   PlanSheetText text;
@@ -85,6 +118,8 @@ PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result) {
   for (const ControlResidual& point : result.control) {
     if (point.is_suspect()) text.statements.push_back("Warning: " + suspicion(point));
   }
+  if (const std::string warning = suspicion(result.alignment); !warning.empty())
+    text.statements.push_back("Warning: " + warning);
   return text;
 }
 
@@ -97,6 +132,8 @@ TraverseReport report_of(const MineSurvey& survey, const SurveyResult& result) {
   const MapGraph& graph = survey.input().map().full_map().graph;
   TraverseReport report;
   report.text = sheet_text(survey, result);
+  if (const std::string aligned = alignment_statement(result.alignment); !aligned.empty())
+    report.text.statements.push_back(aligned);
   report.budget = accuracy_budget(graph, survey.cloud());
   report.loops = traverse_loops(graph);
   for (const Envelope& envelope : envelopes_of(survey)) {

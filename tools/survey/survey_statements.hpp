@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ namespace adit {
 
 /// That a control point may be a blunder, a sentence.
 std::string suspicion(const ControlResidual& point);
+/// That a laser is not mounted as configured, a sentence; empty if nothing shows it.
+std::string suspicion(const std::optional<LaserAlignment>& alignment);
+/// How well the lasers agree, a sentence; empty if that is not known.
+std::string alignment_statement(const std::optional<LaserAlignment>& alignment);
 
 /// What the plan sheet says beside the plan.
 PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result);

@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/node/recorded_section.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/cloud_match.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/report/records/play_logs.hpp"
 #include "tools/report/records/state_record.hpp"
@@ -17,14 +20,17 @@
 namespace adit {
 namespace {
 
-/// Of the first CONFIG that has it, or the default.
-Vehicle vehicle_of(LogInfo& log_info) {
+constexpr std::size_t kMatchesQueued = 1000;
+
+/// Of the first CONFIG that has it.
+template <class Section>
+std::optional<Section> section_of(LogInfo& log_info) {
   for (const auto& [stage, config] : log_info.configs) {
-    if (const auto vehicle =
-            recorded_section<Vehicle>(config, Vehicle::kSection, log_info.warnings))
-      return *vehicle;
+    if (const auto section =
+            recorded_section<Section>(config, Section::kSection, log_info.warnings))
+      return section;
   }
-  return {};
+  return std::nullopt;
 }
 
 ChannelSet channels_of(const StageBus& bus) {
@@ -52,9 +58,12 @@ std::vector<std::filesystem::path> mission_logs(const std::vector<std::filesyste
 
 SurveyInput::SurveyInput(std::vector<std::filesystem::path> logs,
                          const std::function<void(double)>& progress)
-    : log_info_(read_log_info(logs)), vehicle_(vehicle_of(log_info_)) {
+    : log_info_(read_log_info(logs)), vehicle_(section_of<Vehicle>(log_info_).value_or(Vehicle{})) {
+  lasers_ = section_of<Lasers>(log_info_);
   StateRecord state(bus_);
   ScanHazardRecord scans(bus_, vehicle_);
+  subscribe<cloud_match_t>(bus_, channels::kCloudMatch, Delivery::queued(kMatchesQueued),
+                           [this](const CloudMatch& match) { cloud_matches_.push_back(match); });
   play_logs(
       logs, channels_of(bus_), memory_,
       [&](double done) {

@@ -12,7 +12,9 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/stage_bus.hpp"
 #include "common/records/hazard.hpp"
+#include "common/sensing/laser_mount.hpp"
 #include "common/types/cloud.hpp"
+#include "common/types/cloud_match.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/vehicle.hpp"
 #include "tools/report/mission_map.hpp"
@@ -39,6 +41,10 @@ class SurveyInput {
   [[nodiscard]] const MissionMap& map() const { return *map_; }
   /// 3D scans in the order of the log: scan i has the number i + 1, as in the report.
   [[nodiscard]] const std::vector<Cloud>& clouds() const { return clouds_; }
+  /// Matches of 3D scans, in the order of the log.
+  [[nodiscard]] const std::vector<CloudMatch>& cloud_matches() const { return cloud_matches_; }
+  /// Of the recorded configuration; nothing if the log has none.
+  [[nodiscard]] const std::optional<Lasers>& lasers() const { return lasers_; }
   /// Observations of hazards, in the order of the log.
   [[nodiscard]] const std::vector<Hazard>& hazards() const { return hazards_; }
   /// Last EXPLORATION; nothing if the log has none.
@@ -56,6 +62,8 @@ class SurveyInput {
   MapRecord record_{bus_};
   std::unique_ptr<MissionMap> map_;
   std::vector<Cloud> clouds_;
+  std::vector<CloudMatch> cloud_matches_;
+  std::optional<Lasers> lasers_;
   std::vector<Hazard> hazards_;
   std::optional<ExplorationReport> exploration_;
   std::vector<std::string> warnings_;

@@ -14,27 +14,8 @@ namespace {
 
 constexpr double kSigmas = 3.0;
 
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d S;
-  S << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return S;
-}
-
-/// (x, y, z, rotation vector) of a pose.
-Vector6d vector_of(const Eigen::Isometry3d& T) {
-  const Eigen::AngleAxisd turn(T.linear());
-  Vector6d v;
-  v << T.translation(), turn.angle() * turn.axis();
-  return v;
-}
-
 Eigen::Isometry3d moved(const Eigen::Isometry3d& T, const Vector6d& step) {
-  const Eigen::Vector3d turn = step.tail<3>();
-  const double angle = turn.norm();
-  Eigen::Isometry3d T_step = Eigen::Isometry3d::Identity();
-  T_step.translation() = step.head<3>();
-  if (angle > 0.0) T_step.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-  Eigen::Isometry3d result = T * T_step;
+  Eigen::Isometry3d result = T * isometry_of(step);
   result.linear() = Eigen::Quaterniond(result.linear()).normalized().toRotationMatrix();
   return result;
 }
@@ -186,7 +167,7 @@ CloudRegistration register_clouds(const RegistrationCloud& source, const Registr
     for (int i = 0; i < params.iterations_max && !result.converged; ++i) {
       at = linearise(level.source, level.target, result.T_target_source, scale_m, params);
       const Vector6d deviation =
-          vector_of(prior.T_target_source.inverse() * result.T_target_source);
+          motion_of(prior.T_target_source.inverse() * result.T_target_source);
       found = constrained(at, result.lever_arm_m, params);
       const Vector6d step =
           -solve_symmetric(Matrix6d(found.information + prior_information),

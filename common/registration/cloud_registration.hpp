@@ -8,13 +8,11 @@
 #include <Eigen/Geometry>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/motion3.hpp"
 #include "common/registration/surface_cloud.hpp"
 #include "common/types/cloud.hpp"
 
 namespace adit {
-
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 struct CloudRegistrationParams {
   double coarse_m = 0.5;      ///< voxels of the first alignment; farther surfaces are not captured

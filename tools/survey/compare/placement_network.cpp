@@ -32,8 +32,7 @@ Matrix6d realistic(const Matrix6d& information) {
 /// Of a motion about one laser: the same motion about another one, `offset` from it.
 Matrix6d transport(const Eigen::Vector3d& offset) {
   Matrix6d J = Matrix6d::Identity();
-  J.topRightCorner<3, 3>() << 0.0, offset.z(), -offset.y(), -offset.z(), 0.0, offset.x(),
-      offset.y(), -offset.x(), 0.0;
+  J.topRightCorner<3, 3>() = -skew(offset);
   return J;
 }
 

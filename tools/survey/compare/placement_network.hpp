@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "common/registration/cloud_registration.hpp"
+#include "common/geometry/motion3.hpp"
 
 namespace adit {
 

@@ -35,13 +35,6 @@ Matrix6d prior_covariance(const Matrix6d& stated) {
   return stated + Matrix6d(slack.cwiseAbs2().asDiagonal());
 }
 
-Vector6d motion_of(const Eigen::Isometry3d& T) {
-  const Eigen::AngleAxisd turn(T.linear());
-  Vector6d motion;
-  motion << T.translation(), turn.angle() * turn.axis();
-  return motion;
-}
-
 const SurveyedScan& nearest_scan(const SurveyedCloud& cloud, const Eigen::Vector3d& p) {
   const SurveyedScan* nearest = &cloud.scans.front();
   for (const SurveyedScan& scan : cloud.scans) {
@@ -72,14 +65,6 @@ Cloud cloud_of(const SurveyedScan& scan) {
   Cloud cloud;
   cloud.lines.push_back({0, {0.0F, 0.0F, 0.0F}, scan.points, {}});
   return cloud;
-}
-
-Eigen::Isometry3d isometry_of(const Vector6d& motion) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  const double angle = motion.tail<3>().norm();
-  if (angle > 0.0) T.linear() = Eigen::AngleAxisd(angle, motion.tail<3>() / angle).matrix();
-  T.translation() = motion.head<3>();
-  return T;
 }
 
 Matrix6d covariance_of(double plan_sd_m, double z_sd_m, double tilt_sd_rad, double turn_sd_rad) {

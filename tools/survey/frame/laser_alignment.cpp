@@ -11,12 +11,12 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "common/geometry/motion3.hpp"
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix36d = Eigen::Matrix<double, 3, 6>;
 
 constexpr double kMountSdRad = 0.03;      // of a mount
@@ -59,7 +59,7 @@ struct MountEquation {
 };
 
 struct MountNormal {
-  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
+  Matrix6d A = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
 
   void add(const MountEquation& equation, double sign = 1.0) {
@@ -70,7 +70,7 @@ struct MountNormal {
   }
   [[nodiscard]] Vector6d solved() const {
     constexpr double kPrior = 1.0 / (kMountSdRad * kMountSdRad);
-    return (A + kPrior * Eigen::Matrix<double, 6, 6>::Identity()).ldlt().solve(b);
+    return (A + kPrior * Matrix6d::Identity()).ldlt().solve(b);
   }
 };
 

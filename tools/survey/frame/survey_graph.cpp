@@ -12,11 +12,17 @@ namespace adit {
 
 namespace {
 
+/// Of a pose (x, y, θ) along the axes of a local map; along those of survey.
+Eigen::Matrix3d in_survey(const Eigen::Matrix3d& covariance, double theta_survey_local) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(theta_survey_local).toRotationMatrix();
+  return R * covariance * R.transpose();
+}
+
 void add_step(const GaussianField& field, const SurveyGraph::Node& before,
               SurveyGraph::Node& node) {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(before.T_survey_local.plan.theta).toRotationMatrix();
-  node.step_covariance = R * field.relative_covariance(before.id, node.id) * R.transpose();
+  node.step_covariance =
+      in_survey(field.relative_covariance(before.id, node.id), before.T_survey_local.plan.theta);
   // Heights are known from the start on: what is added is that of the step.
   node.step_z_variance = std::abs(node.z_variance - before.z_variance);
 }
@@ -38,12 +44,9 @@ SurveyGraph SurveyGraph::free_network(const FullMap& map) {
     node.T_odom_local = {local_map->T_odom_local, local_map->z_odom_m};
     node.utime = local_map->utime;
     if (id < graph.z_variance.size()) node.z_variance = graph.z_variance[id];
-    if (id > 0) {
-      // In the frame of the first local map; turned into that of survey.
-      Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-      R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(graph.poses[0].theta).toRotationMatrix();
-      node.covariance = R * field.relative_covariance(0, local_map->id) * R.transpose();
-    }
+    if (id > 0)
+      node.covariance =
+          in_survey(field.relative_covariance(0, local_map->id), graph.poses[0].theta);
     if (!nodes.empty()) add_step(field, nodes.back(), node);
     nodes.push_back(node);
   }

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "common/geometry/motion3.hpp"
+
 namespace adit {
 namespace {
 
@@ -20,10 +22,10 @@ std::vector<ScanRotation> matches_of(const Eigen::Vector3d& e_front, const Eigen
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> heading(-3.0, 3.0);
-  const auto rotation = [](const Eigen::Vector3d& v) -> Eigen::Matrix3d {
-    const double angle = v.norm();
-    return angle == 0.0 ? Eigen::Matrix3d::Identity().eval()
-                        : Eigen::AngleAxisd(angle, v / angle).toRotationMatrix();
+  const auto rotation = [](const Eigen::Vector3d& vector) -> Eigen::Matrix3d {
+    Vector6d motion = Vector6d::Zero();
+    motion.tail<3>() = vector;
+    return isometry_of(motion).linear();
   };
   std::vector<double> headings;
   for (int i = 0; i < scans; ++i) headings.push_back(heading(random));

@@ -63,7 +63,8 @@ std::string suspicion(const ControlResidual& point) {
 }
 
 std::string suspicion(const std::optional<LaserAlignment>& alignment) {
-  static constexpr std::array<const char*, 3> kAxes{"roll", "pitch", "yaw"};
+  static constexpr std::array<const char*, 3> kAxes{
+      "roll", "pitch", "yaw, of which the pose graph has taken a part"};
   std::string off;
   for (int axis = 0; alignment && axis < 3; ++axis) {
     if (!alignment->is_off(axis)) continue;
@@ -85,9 +86,9 @@ std::string alignment_statement(const std::optional<LaserAlignment>& alignment) 
   const Eigen::Vector3d off = in_degrees(1.0) * alignment->rotation_rad;
   const Eigen::Vector3d sd = 1.96 * in_degrees(1.0) * alignment->sd_rad;
   return fmt::format(
-      "Mount of the front laser against the rear one, by {} pairs of 3D scans: {:+.2f} ± {:.2f}° "
-      "in "
-      "roll, {:+.2f} ± {:.2f}° in pitch, {:+.2f} ± {:.2f}° in yaw (95 %).",
+      "Mount of the front laser against the rear one, by {} pairs of 3D scans (95 %): roll {:+.2f} "
+      "± {:.2f}°, pitch {:+.2f} ± {:.2f}°, yaw {:+.2f} ± {:.2f}°; the pose graph has taken a part "
+      "of the yaw.",
       alignment->matches, off.x(), sd.x(), off.y(), sd.y(), off.z(), sd.z());
 }
 

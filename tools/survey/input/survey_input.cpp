@@ -26,8 +26,7 @@ constexpr std::size_t kMatchesQueued = 1000;
 template <class Section>
 std::optional<Section> section_of(LogInfo& log_info) {
   for (const auto& [stage, config] : log_info.configs) {
-    if (const auto section =
-            recorded_section<Section>(config, Section::kSection, log_info.warnings))
+    if (auto section = recorded_section<Section>(config, Section::kSection, log_info.warnings))
       return section;
   }
   return std::nullopt;

@@ -164,7 +164,9 @@ Journal::Journal(const fs::path& path, const JournalReader& reader) {
 }
 
 Journal::~Journal() {
-  for (const Copy& copy : copies_) discard_partial_record(*copy.file, copy.end);
+  for (const Copy& copy : copies_) {
+    if (copy.end == end_) discard_partial_record(*copy.file, end_);
+  }
 }
 
 /// In steps, as each is a change of the file system. Where it has no space left, what is reserved
@@ -185,6 +187,7 @@ void Journal::repair(Copy& copy, const JournalScan& found, const std::vector<Fou
   if (!common) {
     replace(copy.file, joined, !found.corrupt.empty());
   } else {
+    copy.end = copy.synced = *common;
     if (*common < found.bytes) copy.file->truncate(*common);
     if (found.records.size() < joined.size()) {
       Writer(*common).write(std::span(joined).subspan(found.records.size()), *copy.file);
@@ -195,6 +198,7 @@ void Journal::repair(Copy& copy, const JournalScan& found, const std::vector<Fou
   copy.end = copy.synced = end_;
 }
 
+/// The new file takes the place of the damaged one in one step, so that a crash loses neither.
 void Journal::replace(std::unique_ptr<LockedFile>& file, const std::vector<Found>& joined,
                       bool keep) {
   const fs::path path = file->path();

@@ -76,8 +76,7 @@ std::string suspicion(const std::optional<LaserAlignment>& alignment) {
   if (off.empty()) return off;
   return fmt::format(
       "the front laser stands otherwise than configured, or the rear one does: {} (95 %, front "
-      "less "
-      "rear, {} pairs of 3D scans); coordinates are less certain than stated",
+      "less rear, {} pairs of 3D scans); coordinates are less certain than stated",
       off, alignment->matches);
 }
 

@@ -50,9 +50,9 @@ struct LaserAlignment {
   [[nodiscard]] bool is_off(int axis) const;
 };
 
-/// Least squares with a robust kernel over all matches; nothing with fewer than kMatchesMin between
-/// scans of different lasers.
 inline constexpr std::size_t kAlignmentMatchesMin = 6;
+/// Least squares with a robust kernel over all matches; nothing with fewer than
+/// kAlignmentMatchesMin between scans of different lasers.
 std::optional<LaserAlignment> laser_alignment(const std::vector<ScanRotation>& rotations);
 
 }  // namespace adit

@@ -107,6 +107,19 @@ TEST_P(JournalsOnAFailingDisk, OpenWithAFileThatLacksRecords) {
   expect_intact(4);
 }
 
+TEST_P(JournalsOnAFailingDisk, LeaveWhatAFileHasThatCannotBeCompleted) {
+  (void)append(1, 3);
+  const std::string all = bytes_in(path_);
+  std::filesystem::resize_file(failing(), all.size() - record(3).second.size() - 1);
+  {
+    const FailingDisk disk(failing(), "write");
+    const Journal journal(path_);
+  }
+  const std::string left = bytes_in(failing());
+  EXPECT_GT(left.size(), 0U);
+  EXPECT_EQ(all.compare(0, left.size(), left), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Files, JournalsOnAFailingDisk, testing::Values(File::kFirst, File::kCopy),
                          [](const auto& file) {
                            return file.param == File::kFirst ? "First" : "Copy";

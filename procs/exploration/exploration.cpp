@@ -63,17 +63,24 @@ bool Exploration::update(const MapGraph& graph) {
   return true;
 }
 
-/// Recomputes everything that is derived from the known space.
-void Exploration::refresh() {
-  const Walls walls = verify_walls_ ? Walls::kConfirmed : Walls::kAll;
-  space_ = drivable_space(known_.cells(walls), known_.resolution_m(), params_.vehicle.width_m,
+Walls Exploration::walls() const { return verify_walls_ ? Walls::kConfirmed : Walls::kAll; }
+
+/// Recomputes where the vehicle can drive, and the paths home.
+void Exploration::refresh_space() {
+  space_ = drivable_space(known_.cells(walls()), known_.resolution_m(), params_.vehicle.width_m,
                           barrier_lines(), T_map_home().translation(), params_.drivable,
                           known_.shared_cells());
+  from_home_.emplace(space_, T_map_home().translation(), PathPreference::kDriven);
+}
+
+/// Recomputes everything that is derived from the known space.
+void Exploration::refresh() {
+  refresh_space();
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
   for (DetectedFrontier& detected : detected_frontiers_) {
     detected.p_map = known_.in_own_layer(detected.p_map);
     if (leads_out(detected)) detected.access = Access::kBehindBarrier;
-    detected.at_dismissed_wall = known_.dismisses_wall_near(detected.p_map, walls);
+    detected.at_dismissed_wall = known_.dismisses_wall_near(detected.p_map, walls());
   }
   register_.update(detected_frontiers_, known_, barrier_evidence(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), detected_frontiers_, params_.corridors);
@@ -81,7 +88,6 @@ void Exploration::refresh() {
   for (Corridor& corridor : corridors_.corridors) {
     corridor.points = in_map(std::move(corridor.points));
   }
-  from_home_.emplace(space_, T_map_home().translation(), PathPreference::kDriven);
 }
 
 /// The start: the pose of the first local map, which is the origin of map as long as the graph has

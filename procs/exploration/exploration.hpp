@@ -141,6 +141,8 @@ class Exploration {
 
  private:
   void refresh();
+  void refresh_space();
+  [[nodiscard]] Walls walls() const;
   bool retry_abandoned(std::int64_t utime);
   bool verify_walls();
   [[nodiscard]] std::optional<double> path_length_home_m(const ExplorationState& state) const;

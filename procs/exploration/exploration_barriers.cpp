@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Barriers: where they are placed after a planner found no path, and what they close.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -102,18 +103,27 @@ std::optional<double> Exploration::path_length_home_m(const ExplorationState& st
 /// is another one, and all barriers stay.
 void Exploration::drop_passed_barriers(const ExplorationState& state) {
   const std::vector<Barrier> all = barriers_;
-  if (std::all_of(all.begin(), all.end(), is_exit)) return;
-  for (std::size_t i = all.size(); i-- > 0 && !path_length_home_m(state);) {
-    if (is_exit(all[i])) continue;
+  if (std::ranges::all_of(all, is_exit)) return;
+  const auto leads_home_with = [&](std::vector<Barrier> barriers) {
+    barriers_ = std::move(barriers);
+    refresh_space();
+    return path_length_home_m(state).has_value();
+  };
+  std::vector<Barrier> exits;
+  std::ranges::copy_if(all, std::back_inserter(exits), is_exit);
+  if (!leads_home_with(exits)) {
     barriers_ = all;
-    barriers_.erase(barriers_.begin() + static_cast<std::ptrdiff_t>(i));
-    refresh();
+    refresh_space();
+    return;
   }
-  if (path_length_home_m(state)) return;
-  std::erase_if(barriers_, [&](const Barrier& barrier) { return !is_exit(barrier); });
-  refresh();
-  if (path_length_home_m(state)) return;
-  barriers_ = all;
+  const auto leads_home_without = [&](std::size_t passed) {
+    std::vector<Barrier> others = all;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(passed));
+    return leads_home_with(std::move(others));
+  };
+  std::size_t i = all.size();
+  while (i > 0 && (is_exit(all[i - 1]) || !leads_home_without(i - 1))) --i;
+  if (i == 0) leads_home_with(exits);
   refresh();
 }
 

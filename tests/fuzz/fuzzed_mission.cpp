@@ -14,6 +14,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/node/stages.hpp"
+#include "common/config/config_file.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mission.hpp"
@@ -38,6 +39,10 @@ constexpr std::int64_t kRecoveryUs = 2'000'000;
 constexpr std::int64_t kRecoveryMaxUs = 12'000'000;
 constexpr double kAgeMaxS = 1.5;  // of an output that is periodic
 constexpr double kTolerance = 1e-9;
+
+/// A wild pose makes the map of exploration as large as its limit allows, which takes a stage long;
+/// the mines are smaller than 100 m.
+constexpr const char* kConfig = "exploration: {known: {cells_max: 1000000}}";
 
 /// What the stages publish periodically, whatever the mission does.
 constexpr std::array kPeriodic{channels::kPose, channels::kScanMatch, channels::kStop,
@@ -66,8 +71,8 @@ FuzzedMission::FuzzedMission(const Site& site, const std::filesystem::path& fold
     samples_[type.channel].uses = kSampleUses;
   }
   bus_.tap([this](const ReceivedMessage& message) { observe(message); });
-  for (const ConfiguredNode& node :
-       configure_pipeline({}, params_.lasers, params_.vehicle, folder)) {
+  for (const ConfiguredNode& node : configure_pipeline(ConfigFile::parse(kConfig, "fuzzed"),
+                                                       params_.lasers, params_.vehicle, folder)) {
     stages_.push_back(node.stage);
     nodes_.push_back(std::make_unique<HostedNode>(bus_, node));
   }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // survey_table MISSIONS..: surveys missions in simulated mines and compares sections, elevations,
-// places and volume with the true mesh, and the errors with the stated standard deviations, as a
-// table in Markdown. With --control the surveys are tied to a grid by true places of the robot with
-// random errors, and --blunder adds an error to one of them.
+// places, volume, mesh, water and pillars with the true mesh, and the errors with the stated
+// standard deviations, as tables in Markdown. With --control the surveys are tied to a grid by true
+// places of the robot with random errors, and --blunder adds an error to one of them.
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -12,55 +12,31 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "common/files/file_utils.hpp"
-#include "common/geometry/order_statistics.hpp"
 #include "tests/eval/markdown.hpp"
+#include "tests/eval/survey/body_errors.hpp"
+#include "tests/eval/survey/survey_errors.hpp"
 #include "tests/eval/survey/survey_truth.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kSigmas = 1.959964;  // 95 % of a normal distribution
-
-/// Errors of a quantity, and how many are within their 95 % interval.
-struct Errors {
-  std::vector<double> magnitudes;
-  double sum = 0.0;
-  std::size_t within = 0;
-
-  void add(double error, double sd) {
-    magnitudes.push_back(std::abs(error));
-    sum += error;
-    within += std::abs(error) <= kSigmas * sd ? 1U : 0U;
-  }
-  void add(const Errors& other) {
-    magnitudes.insert(magnitudes.end(), other.magnitudes.begin(), other.magnitudes.end());
-    sum += other.sum;
-    within += other.within;
-  }
-  [[nodiscard]] std::string text(double scale = 1.0) const {
-    if (magnitudes.empty()) return "–";
-    const auto n = static_cast<double>(magnitudes.size());
-    return format("%.3f (%.3f, %+.3f), %.0f %%", scale * median(magnitudes),
-                  scale * quantile(magnitudes, 0.95), scale * sum / n,
-                  100.0 * static_cast<double>(within) / n);
-  }
-};
-
 struct Row {
   std::size_t sections = 0;
-  Errors width_m;
-  Errors height_m;
-  Errors area_share;  ///< of the true area
-  Errors floor_m;
-  Errors roof_m;
-  Errors plan_m;  ///< of each axis of local maps
-  Errors volume_share;
+  SurveyErrors width_m;
+  SurveyErrors height_m;
+  SurveyErrors area_share;  ///< of the true area
+  SurveyErrors floor_m;
+  SurveyErrors roof_m;
+  SurveyErrors plan_m;  ///< of each axis of local maps
+  SurveyErrors volume_share;
+  BodyErrors bodies;
 
   void add(const Row& other) {
     sections += other.sections;
@@ -71,6 +47,7 @@ struct Row {
     roof_m.add(other.roof_m);
     plan_m.add(other.plan_m);
     volume_share.add(other.volume_share);
+    bodies.add(other.bodies);
   }
 };
 
@@ -84,7 +61,7 @@ void add_sections(const MineSurvey& survey, const SurveyTruth& truth, bool verbo
     const SectionOutline real = truth.outline(section, *T_world);
     const SectionMeasures measures = measure(real, 0.0);
     const SectionMeasures& measured = section.measures;
-    const auto add = [](const Measured& estimate, const Measured& value, Errors& errors) {
+    const auto add = [](const Measured& estimate, const Measured& value, SurveyErrors& errors) {
       if (std::isfinite(estimate.value) && std::isfinite(value.value))
         errors.add(estimate.value - value.value, estimate.sd);
     };
@@ -121,7 +98,7 @@ void add_elevations(const MineSurvey& survey, const SurveyTruth& truth, Row& row
     const double base_m =
         std::isfinite(column.floor_m) ? column.floor_m + 0.7 : column.roof_m - 0.7;
     const Eigen::Vector3d inside = *T_world * Eigen::Vector3d(p.x(), p.y(), base_m);
-    const auto add = [&](float z_m, float sd_m, bool up, Errors& errors) {
+    const auto add = [&](float z_m, float sd_m, bool up, SurveyErrors& errors) {
       const auto real = truth.surface_z_m(inside, up);
       if (!std::isfinite(z_m) || !real) return;
       errors.add(z_m + truth.T_world_survey().z_m - *real, sd_m);
@@ -248,6 +225,7 @@ Row score(const std::filesystem::path& mission, const ControlOptions& control, b
   add_elevations(survey, truth, row);
   add_places(survey, truth, row);
   add_volume(survey, truth, verbose, row);
+  row.bodies = body_errors(survey, truth);
   return row;
 }
 
@@ -259,20 +237,39 @@ void print_row(const std::string& name, const Row& row) {
             << std::flush;
 }
 
-void print_table(const std::vector<std::filesystem::path>& missions, const ControlOptions& control,
-                 bool verbose) {
+void print_bodies(const std::string& name, const BodyErrors& errors) {
+  const double stray_share = static_cast<double>(errors.strays) /
+                             static_cast<double>(std::max<std::size_t>(1, errors.triangles));
+  std::cout << "| " << name << " | " << errors.mesh_m.magnitude_text()
+            << format(", %.1f %%", 100.0 * stray_share) << " | " << errors.flooded_m.text() << " | "
+            << errors.pillars_m2.text(100.0)
+            << format(" | %zu of %zu |\n", errors.not_pillars, errors.pillars);
+}
+
+void print_tables(const std::vector<std::filesystem::path>& missions, const ControlOptions& control,
+                  bool verbose) {
   std::cout << "Errors: median of magnitudes (95 % quantile, mean), share within the stated 95 % "
                "interval.\n\n";
   print_heading(
       "| mission | sections | width (m) | height (m) | area (%) | floor (m) | roof (m) | local "
       "maps in plan, by axis (m) | volume (%) |");
+  std::vector<std::pair<std::string, BodyErrors>> bodies;
   Row sum;
   for (const std::filesystem::path& mission : missions) {
     const Row row = score(mission, control, verbose);
     print_row(mission.filename().string(), row);
     sum.add(row);
+    bodies.emplace_back(mission.filename().string(), row.bodies);
   }
-  if (missions.size() > 1) print_row("all", sum);
+  if (missions.size() > 1) {
+    print_row("all", sum);
+    bodies.emplace_back("all", sum.bodies);
+  }
+  std::cout << "\nOf the mesh the share of triangles without a true surface within 0.3 m.\n\n";
+  print_heading(
+      "| mission | mesh along its normals (m), strays | water to three levels: volume over area "
+      "(m) | area of pillars (%) | pillars that are none |");
+  for (const auto& [name, errors] : bodies) print_bodies(name, errors);
 }
 
 }  // namespace
@@ -289,7 +286,7 @@ int main(int argc, char** argv) try {
   app.add_option("--control-sd", control.sd_m, "Standard deviation of their coordinates [m]");
   app.add_option("--blunder", control.blunder_m, "Error of the easting of the second one [m]");
   CLI11_PARSE(app, argc, argv);
-  adit::print_table(missions, control, verbose);
+  adit::print_tables(missions, control, verbose);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "survey_table: " << error.what() << "\n";

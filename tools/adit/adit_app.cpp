@@ -57,6 +57,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_report_command(*app);
   add_sample_command(*app);
   add_scan_command(*app);
+  add_search_command(*app);
   add_sim_command(*app);
   add_spy_command(*app);
   add_survey_command(*app);

@@ -70,6 +70,7 @@ void add_reload_command(CLI::App& adit);
 void add_report_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
 void add_scan_command(CLI::App& adit);
+void add_search_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
 void add_survey_command(CLI::App& adit);

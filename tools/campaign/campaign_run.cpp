@@ -3,18 +3,12 @@
 #include "tools/campaign/campaign_run.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <csignal>
 #include <optional>
-#include <string_view>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "common/config/config_file.hpp"
-#include "common/config/number_text.hpp"
 #include "common/files/file_utils.hpp"
 #include "common/files/locked_file.hpp"
 #include "tools/campaign/definition/campaign_definition.hpp"
@@ -42,49 +36,6 @@ fs::path programs_of(const CampaignOptions& options) {
 
 fs::path folder_of(const fs::path& file) { return fs::absolute(file).parent_path(); }
 
-int jobs_of(const CampaignOptions& options, const CampaignDefinition& definition) {
-  if (options.jobs > 0) return options.jobs;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / definition.cores);
-}
-
-/// Removes attempts (.ID.HOST.PID, see UnitProcess) at units that have a result, and those of
-/// processes of this computer that were killed. Others on other nodes may still run.
-void remove_old_attempts(const CampaignFolder& folder) {
-  const std::string host = "." + host_name() + ".";
-  for (const auto& entry : fs::directory_iterator(folder.units())) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.')) continue;
-    const bool has_result = fs::exists(folder.result(name.substr(1, name.find('.', 1) - 1)));
-    const auto at = name.find(host);
-    const auto pid = at == std::string::npos
-                         ? std::nullopt
-                         : parse_number<int>(std::string_view(name).substr(at + host.size()));
-    const bool was_killed = pid && kill(*pid, 0) != 0 && errno == ESRCH;
-    if (has_result || was_killed) fs::remove_all(entry.path());
-  }
-}
-
-/// Creates the folder of a campaign; removes it if it was created here and is not kept.
-class NewCampaignFolder {
- public:
-  explicit NewCampaignFolder(const CampaignFolder& folder)
-      : path_(folder.path), created_(fs::create_directories(folder.path)) {
-    fs::create_directories(folder.units());
-  }
-  ~NewCampaignFolder() {
-    std::error_code ignored;
-    if (created_) fs::remove_all(path_, ignored);
-  }
-  NewCampaignFolder(const NewCampaignFolder&) = delete;
-  NewCampaignFolder& operator=(const NewCampaignFolder&) = delete;
-
-  void keep() { created_ = false; }
-
- private:
-  fs::path path_;
-  bool created_;
-};
-
 class CampaignRun {
  public:
   CampaignRun(const CampaignOptions& options, CampaignDefinition definition, CampaignPlan plan)
@@ -110,7 +61,7 @@ class CampaignRun {
     table_.limit_rows(result.units);
     result.with_result = count_results();
     result.rates = measure_rates(definition_, table_.database());
-    remove_old_attempts(folder_);
+    folder_.remove_old_attempts();
     write_page(result);
     return result;
   }
@@ -128,7 +79,7 @@ class CampaignRun {
       if (progress) progress(state);
       return !rule_.update();
     };
-    remove_old_attempts(folder_);
+    folder_.remove_old_attempts();
     if (options_.on_slurm) {
       SlurmRunner runner;
       runner.programs = programs_of(options_);
@@ -139,7 +90,7 @@ class CampaignRun {
       return runner.run(plan_, missing, folder_, on_result);
     }
     LocalRunner runner;
-    runner.jobs = jobs_of(options_, definition_);
+    runner.jobs = options_.jobs > 0 ? options_.jobs : LocalRunner::jobs_for(definition_.cores);
     runner.watcher = programs_of(options_) / "adit-watch";
     runner.stop_descriptor = options_.stop_descriptor;
     return runner.run(plan_, missing, folder_, on_result);

@@ -45,7 +45,8 @@ CampaignStatus read_campaign_status(const std::filesystem::path& folder) {
   require_campaign(folder);
   Database database(files.database(), Database::Mode::kRead);
   const CampaignDefinition definition =
-      load_campaign(ConfigFile::parse(setting(database, "file"), files.database().string()));
+      load_campaign(ConfigFile::parse(setting(database, "file"), files.database().string()),
+                    {"matrix", "search", "space"});
   const CampaignPage page = describe_campaign(definition, database);
   CampaignStatus status;
   status.name = setting(database, "name");

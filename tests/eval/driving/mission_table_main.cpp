@@ -39,8 +39,8 @@ WorldChoice mission_mine(const std::string& name, int number) {
 
 struct Options {
   std::vector<std::string> mines;
-  std::optional<int> seed;         // of named worlds
-  std::optional<double> length_m;  // of named random worlds
+  std::optional<int> seed;  // of named worlds
+  WorldChoice random;       // length, topology and damage of named random worlds
   int first = 1;
   int jobs = 1;
   MissionRowOptions row;
@@ -52,7 +52,10 @@ std::vector<MissionRow> rows_of(const Options& options) {
     const std::string name = mine.substr(0, mine.find(':'));
     const bool is_random = name == "random" || name == "random_level" || name == "two_levels";
     if (!is_random || name == mine) {
-      rows.push_back({mine, {mine, options.seed, options.length_m, {}, {}}, {}});
+      WorldChoice choice = options.random;
+      choice.name = mine;
+      choice.seed = options.seed;
+      rows.push_back({mine, choice, {}});
       continue;
     }
     const int count = std::stoi(mine.substr(name.size() + 1));
@@ -83,9 +86,11 @@ int main(int argc, char** argv) try {
                  "World names, random:COUNT, random_level:COUNT, or two_levels:COUNT")
       ->required();
   app.add_option("--seed", options.seed, "Seed of named worlds, instead of their own");
-  app.add_option("--length-m", options.length_m,
+  app.add_option("--length-m", options.random.length_m,
                  "Approximate length of all tunnels of the worlds random and random_level")
       ->check(CLI::PositiveNumber);
+  app.add_option("--topology", options.random.topology, "Topology of these worlds");
+  app.add_option("--damage", options.random.damage, "Damaged share of the tunnels of these worlds");
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--jobs", options.jobs, "Number of missions at the same time")

@@ -37,6 +37,14 @@ void check_score(const ConfigFile& file, const std::string& key, const ScoreDefi
   }
 }
 
+void check_unit_file(const ConfigFile& file, const std::string& key,
+                     const UnitFileDefinition& unit_file) {
+  const std::filesystem::path path = unit_file.name;
+  const bool leaves = std::ranges::count(path, "..") > 0;
+  if (path.empty() || path.is_absolute() || leaves || !path.has_filename())
+    fail(file, key + ".name", "is " + quote(unit_file.name) + ", not a path below {out}");
+}
+
 void check_rate(const ConfigFile& file, const std::string& key, const RateDefinition& rate) {
   if (rate.name.empty()) fail(file, key + ".name", "is missing");
   if (rate.condition.empty()) fail(file, key + ".condition", "is missing");
@@ -54,6 +62,8 @@ void require_unique_names(const ConfigFile& file, const std::string& list, const
 
 void check(const ConfigFile& file, const CampaignDefinition& campaign) {
   if (campaign.command.empty()) fail(file, "command", "is missing");
+  for (std::size_t i = 0; i < campaign.files.size(); ++i)
+    check_unit_file(file, fmt::format("files[{}]", i), campaign.files[i]);
   for (std::size_t i = 0; i < campaign.scores.size(); ++i)
     check_score(file, fmt::format("scores[{}]", i), campaign.scores[i]);
   for (std::size_t i = 0; i < campaign.rates.size(); ++i)
@@ -62,6 +72,7 @@ void check(const ConfigFile& file, const CampaignDefinition& campaign) {
     if (campaign.distributions[i].value.empty())
       fail(file, fmt::format("distributions[{}].value", i), "is missing");
   }
+  require_unique_names(file, "files", campaign.files);
   require_unique_names(file, "scores", campaign.scores);
   require_unique_names(file, "rates", campaign.rates);
 }
@@ -83,8 +94,11 @@ bool CampaignDefinition::accepts(int exit_code) const {
                              [&](double code) { return std::lround(code) == exit_code; });
 }
 
-CampaignDefinition load_campaign(const ConfigFile& file) {
-  file.require_known_sections({kSection, "matrix"});
+CampaignDefinition load_campaign(const ConfigFile& file,
+                                 const std::vector<std::string>& other_sections) {
+  std::vector<std::string> sections{kSection};
+  sections.insert(sections.end(), other_sections.begin(), other_sections.end());
+  file.require_known_sections(sections);
   if (!file.section(kSection)) throw ConfigError(file.name() + ": the section campaign is missing");
   CampaignDefinition campaign = load_section<CampaignDefinition>(file, kSection);
   if (campaign.name.empty()) campaign.name = std::filesystem::path(file.name()).stem().string();

@@ -29,6 +29,18 @@ struct ScoreDefinition {
   }
 };
 
+/// A file that is written into {out} before a unit starts.
+struct UnitFileDefinition {
+  std::string name;  ///< relative to {out}
+  std::string text;  ///< may have placeholders
+
+  template <class V>
+  void visit(V& v) {
+    v("name", name);
+    v("text", text);
+  }
+};
+
 /// A share of the units, with the bounds that are asked for.
 struct RateDefinition {
   std::string name;
@@ -65,7 +77,8 @@ struct DistributionDefinition {
 /// is a ParameterMatrix.
 struct CampaignDefinition {
   std::string name;
-  std::string command;                  ///< template with {placeholders}, in quotes as for a shell
+  std::string command;  ///< template with {placeholders}, in quotes as for a shell
+  std::vector<UnitFileDefinition> files;
   std::string inputs;                   ///< files on which the results depend, as words of a shell
   std::vector<double> exit_codes{0.0};  ///< of a unit that has a result
   double time_max_s = 3600.0;           ///< wall time of a unit
@@ -82,6 +95,7 @@ struct CampaignDefinition {
   void visit(V& v) {
     v("name", name);
     v("command", command);
+    v("files", files);
     v("inputs", inputs);
     v("exit_codes", exit_codes, within(0.0, 255.0));
     v("time_max_s", time_max_s, above(0.0));
@@ -101,8 +115,10 @@ struct CampaignDefinition {
 };
 
 /// Loads and checks the section `campaign`: names are SQL identifiers and unique, pointers are
-/// valid. The name of a campaign without one is that of the file. Throws ConfigError.
-CampaignDefinition load_campaign(const ConfigFile& file);
+/// valid. The name of a campaign without one is that of the file. `other_sections`: those that the
+/// file may have beside it. Throws ConfigError.
+CampaignDefinition load_campaign(const ConfigFile& file,
+                                 const std::vector<std::string>& other_sections = {"matrix"});
 
 /// Whether the name can be a placeholder and a column: letters, digits and _, lower case, no digit
 /// first.

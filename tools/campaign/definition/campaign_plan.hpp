@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "common/process_list/command_line.hpp"
 #include "tools/campaign/definition/campaign_definition.hpp"
 #include "tools/campaign/definition/parameter_matrix.hpp"
 
@@ -21,6 +23,8 @@ struct CampaignUnit {
   std::string parameters;  ///< as JSON
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<std::string> arguments;  ///< the program first; {out} is left to whoever runs it
+  /// Path below {out} and content of the files that are written before it starts.
+  std::vector<std::pair<std::string, std::string>> files;
 };
 
 /// What is run: the units and what is the same for all of them.
@@ -36,6 +40,43 @@ struct CampaignPlan {
 /// Where programs without a slash in their name are searched, before PATH: the folder of this
 /// program, so that `adit` in a campaign is the one that runs it.
 std::filesystem::path own_program_folder();
+
+/// Expands the command of a campaign for the parameters of one unit after another. Hashes inputs
+/// and programs once: a search has all its units of the same program.
+class UnitMaker {
+ public:
+  /// `file` names the campaign in errors. Throws ConfigError.
+  UnitMaker(const CampaignDefinition& campaign, std::string file, std::filesystem::path folder,
+            std::filesystem::path programs);
+
+  /// A unit without a number. Throws ConfigError, also for a program or an input that does not
+  /// exist.
+  CampaignUnit unit(const UnitParameters& parameters);
+
+ private:
+  [[noreturn]] void fail(const std::string& key, const std::string& reason) const;
+  [[nodiscard]] CommandLine words(const std::string& text, const std::string& key) const;
+  [[nodiscard]] std::string expanded(const std::string& text, const UnitParameters& parameters,
+                                     const std::string& key) const;
+  std::filesystem::path find_program(const std::string& name);
+  [[nodiscard]] std::filesystem::path search_program(const std::string& name) const;
+  const std::string& hash_of(const std::filesystem::path& path, const std::string& key);
+  std::string id(const CampaignUnit& unit, const std::filesystem::path& program,
+                 const UnitParameters& parameters);
+
+  std::string file_;
+  std::filesystem::path folder_;
+  std::filesystem::path programs_;
+  CommandLine command_;
+  std::vector<UnitFileDefinition> files_;
+  std::vector<std::string> inputs_;
+  std::map<std::string, std::filesystem::path> programs_found_;
+  std::map<std::string, std::string> hashes_;
+};
+
+/// The plan without its units. `file` names the campaign in errors. Throws ConfigError.
+CampaignPlan plan_without_units(const CampaignDefinition& campaign, const std::string& file,
+                                const std::filesystem::path& folder);
 
 /// Expands the command for all parameters, and hashes inputs and programs. If a rate may stop the
 /// campaign the units are in an order that depends on their parameters alone and is otherwise

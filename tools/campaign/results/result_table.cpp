@@ -70,10 +70,10 @@ ResultTable::ResultTable(const CampaignFolder& folder, const CampaignDefinition&
       database_(folder.database(), Database::Mode::kWrite) {
   SqlTransaction transaction(database_);
   create_tables();
-  replace_units(plan);
+  database_.execute("DELETE FROM units");
+  add_units(plan);
   name_columns(plan);
   database_.execute("DROP VIEW IF EXISTS campaign; CREATE VIEW campaign AS " + view_text(""));
-  limit_rows(static_cast<int>(plan.units.size()));
   set_text("name", definition.name);
   set_text("file", file_text);
   check_expressions(file);
@@ -82,10 +82,12 @@ ResultTable::ResultTable(const CampaignFolder& folder, const CampaignDefinition&
 
 void ResultTable::create_tables() { database_.execute(kTables); }
 
-void ResultTable::replace_units(const CampaignPlan& plan) {
-  database_.execute("DELETE FROM units");
+void ResultTable::add_units(const CampaignPlan& plan) {
+  SqlStatement count = database_.prepare("SELECT count(*) FROM units");
+  count.step();
   SqlStatement insert = database_.prepare("INSERT INTO units VALUES (?, ?, ?, ?)");
-  for (const CampaignUnit& unit : plan.units) {
+  for (auto i = static_cast<std::size_t>(count.integer(0)); i < plan.units.size(); ++i) {
+    const CampaignUnit& unit = plan.units[i];
     insert.bind(0, std::int64_t{unit.number});
     insert.bind(1, unit.id);
     insert.bind(2, unit.parameters);
@@ -93,6 +95,7 @@ void ResultTable::replace_units(const CampaignPlan& plan) {
     insert.step();
     insert.reset();
   }
+  limit_rows(static_cast<int>(plan.units.size()));
 }
 
 void ResultTable::name_columns(const CampaignPlan& plan) {
@@ -122,17 +125,22 @@ void ResultTable::create_view_of(const std::string& schema, const std::string& v
                                 view_text(schema + ".")));
 }
 
+void ResultTable::check_expression(const std::string& file, const std::string& key,
+                                   const std::string& expression) {
+  if (expression.empty()) return;
+  try {
+    database_.prepare(fmt::format("SELECT ({}\n) FROM campaign", expression));
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    const auto at = text.find(": ");
+    throw ConfigError(
+        fmt::format("{}: {}: {}", file, key, at == std::string::npos ? text : text.substr(at + 2)));
+  }
+}
+
 void ResultTable::check_expressions(const std::string& file) {
   const auto check = [&](const std::string& key, const std::string& expression) {
-    if (expression.empty()) return;
-    try {
-      database_.prepare(fmt::format("SELECT ({}\n) FROM campaign", expression));
-    } catch (const FileError& error) {
-      const std::string text = error.what();
-      const auto at = text.find(": ");
-      throw ConfigError(fmt::format("{}: campaign.{}: {}", file, key,
-                                    at == std::string::npos ? text : text.substr(at + 2)));
-    }
+    check_expression(file, "campaign." + key, expression);
   };
   for (std::size_t i = 0; i < definition_.rates.size(); ++i) {
     check(fmt::format("rates[{}].condition", i), definition_.rates[i].condition);
@@ -147,13 +155,17 @@ void ResultTable::synchronize(const CampaignPlan& plan) {
   SqlTransaction transaction(database_);
   forget_exceeded_limits(plan);
   const std::string scores = score_text(definition_);
-  if (text_of("scores") != scores)  // read again below
-    database_.execute("DELETE FROM results WHERE id IN (SELECT id FROM units)");
+  if (text_of("scores") != scores)             // read again below
+    database_.execute("DELETE FROM results");  // of other plans, too
   set_text("scores", scores);
+  collect(plan);
+  transaction.commit();
+}
+
+void ResultTable::collect(const CampaignPlan& plan) {
   for (const CampaignUnit* const unit : units_without_result(plan)) {
     if (auto result = read_result(folder_.result(unit->id))) add(*unit, std::move(*result));
   }
-  transaction.commit();
 }
 
 /// These units, and those that were lost or could not be started, run again.

@@ -26,9 +26,19 @@ class ResultTable {
   ResultTable(const CampaignFolder& folder, const CampaignDefinition& definition,
               const CampaignPlan& plan, const std::string& file, const std::string& file_text);
 
+  /// Adds the units of a plan that has grown: those behind the units of the table. Parameters keep
+  /// their columns.
+  void add_units(const CampaignPlan& plan);
+
+  /// Throws ConfigError, with `key` of `file`, for an expression over the columns that SQLite does
+  /// not understand.
+  void check_expression(const std::string& file, const std::string& key,
+                        const std::string& expression);
+
   /// Reads the results of units that have ended but have none in the table, as after a kill.
-  /// Forgets results of limits that were smaller than now, and reads scores again if other ones are
-  /// asked for.
+  void collect(const CampaignPlan& plan);
+  /// The same. Forgets results of limits that were smaller than now, and reads scores again if
+  /// other ones are asked for.
   void synchronize(const CampaignPlan& plan);
 
   /// Notes that a run of the campaign begins now, for the estimate of its duration.
@@ -50,7 +60,6 @@ class ResultTable {
 
  private:
   void create_tables();
-  void replace_units(const CampaignPlan& plan);
   void name_columns(const CampaignPlan& plan);
   [[nodiscard]] std::string view_text(const std::string& schema) const;
   void check_expressions(const std::string& file);

@@ -32,6 +32,25 @@ struct CampaignFolder {
   [[nodiscard]] std::filesystem::path output_log(const std::string& id) const {
     return unit(id) / "output.log";
   }
+
+  /// Removes attempts (.ID.HOST.PID, see UnitProcess) at units that have a result, and those of
+  /// processes of this computer that were killed. Others on other nodes may still run.
+  void remove_old_attempts() const;
+};
+
+/// Creates the folder of a campaign; removes it if it was created here and is not kept.
+class NewCampaignFolder {
+ public:
+  explicit NewCampaignFolder(const CampaignFolder& folder);
+  ~NewCampaignFolder();
+  NewCampaignFolder(const NewCampaignFolder&) = delete;
+  NewCampaignFolder& operator=(const NewCampaignFolder&) = delete;
+
+  void keep() { created_ = false; }
+
+ private:
+  std::filesystem::path path_;
+  bool created_;
 };
 
 }  // namespace adit

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <thread>
 
 #include <poll.h>
 
@@ -48,6 +49,10 @@ bool collect(Units& active, const LocalRunner::OnResult& on_result) {
 }
 
 }  // namespace
+
+int LocalRunner::jobs_for(int cores_of_unit) {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / cores_of_unit);
+}
 
 bool LocalRunner::run(const CampaignPlan& plan, const std::vector<const CampaignUnit*>& units,
                       const CampaignFolder& folder, const OnResult& on_result) const {

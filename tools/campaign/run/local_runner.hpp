@@ -18,6 +18,9 @@ struct LocalRunner {
   std::filesystem::path watcher = own_program_folder() / "adit-watch";
   int stop_descriptor = -1;  ///< ends the run when it is readable; see StopSignal
 
+  /// Units at the same time that this computer has cores for.
+  static int jobs_for(int cores_of_unit);
+
   /// Is told each result, as units end. Returns whether to continue; if not, units that run are
   /// killed and have no result.
   using OnResult = std::function<bool(const CampaignUnit&, const UnitResult&)>;

@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "common/files/file_error.hpp"
+#include "common/files/file_utils.hpp"
 #include "common/service/wall_time.hpp"
 #include "procs/supervisor/os/procfs.hpp"
 
@@ -59,6 +60,11 @@ UnitProcess::UnitProcess(const CampaignPlan& plan, const CampaignUnit& unit,
   result_.host = host_name();
   fs::remove_all(attempt_);
   fs::create_directories(attempt_ / "out");
+  for (const auto& [name, text] : unit.files) {
+    const fs::path path = attempt_ / "out" / name;
+    fs::create_directories(path.parent_path());
+    write_text_file(with_output({text}, (attempt_ / "out").string()).front(), path);
+  }
   start(watcher);
 }
 

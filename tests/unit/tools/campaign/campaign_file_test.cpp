@@ -174,8 +174,8 @@ TEST(CampaignPlan, ReportsWhatCannotRun) {
   EXPECT_EQ(message_of("campaign: {command: no_such_program_x}"),
             "c.yaml: campaign.command has no program 'no_such_program_x'");
   EXPECT_EQ(message_of("campaign: {command: 'sh {seed}'}"),
-            "c.yaml: campaign.command has the placeholder 'seed' that the matrix does not define "
-            "for {}");
+            "c.yaml: campaign.command has the placeholder 'seed' that is no parameter of "
+            "{}");
   EXPECT_EQ(message_of("campaign: {command: sh, inputs: no/file}"),
             "c.yaml: campaign.inputs has /no/file: cannot be read");
   EXPECT_EQ(message_of("campaign: {command: sh}\nmatrix: {n: [1, 2]}"),

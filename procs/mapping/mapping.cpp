@@ -114,6 +114,7 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   if (stored.unfinished) update = add_local_map(std::move(*stored.unfinished));
   if (maps_.empty()) return update;
   if (!update) {
+    update_rivals();
     update_covariance_from_first();
     update_contradictions();
   }
@@ -201,7 +202,10 @@ void Mapping::localise_at_rest() {
       association_.decide(loop_closures(id, association_.trial(), false), maps_.back().utime);
   const bool found = std::ranges::any_of(
       decided, [](const Association& a) { return a.chosen != Association::kNone; });
-  const Eigen::Matrix3d covariance = association_.trial().covariance(0, id);
+  const std::vector<SessionRival> before_rivals = rivals_;
+  update_rivals();
+  const Eigen::Matrix3d covariance = association_.trial().covariance(0, id) + moment_of_rivals(id);
+  rivals_ = before_rivals;
   if (found && position_sd_m(covariance) < position_sd_m(before_covariance)) {
     at_rest_ = {association_.hypothesis().T_map_local.back() * T_odom_here.inverse(), covariance};
   }
@@ -255,6 +259,7 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   associate(update);                  // sections 2.2 and 2.3
   if (!update.associations.empty()) update_heights();
   ++revision_;
+  update_rivals();
   covariance_ = covariance_in_older_sessions();
   if (before && is_redundant(update)) {
     discard_newest(update, std::move(*before));
@@ -367,13 +372,46 @@ std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return std::nullopt;
   const auto first = std::ranges::lower_bound(maps_.headers(), session, {}, &LocalMap::session);
-  return association_.trial().least_covariance(static_cast<int>(maps_.size()) - 1,
-                                               static_cast<int>(first - maps_.headers().begin()));
+  const int newest = static_cast<int>(maps_.size()) - 1;
+  return association_.trial().least_covariance(newest,
+                                               static_cast<int>(first - maps_.headers().begin())) +
+         moment_of_rivals(newest);
 }
 
 void Mapping::update_covariance_from_first() {
   if (maps_.size() < 2) return;
-  covariance_from_first_ = association_.trial().covariance(0, static_cast<int>(maps_.size()) - 1);
+  const int newest = static_cast<int>(maps_.size()) - 1;
+  covariance_from_first_ = association_.trial().covariance(0, newest) + moment_of_rivals(newest);
+}
+
+void Mapping::update_rivals() {
+  std::vector<int> first_maps;
+  for (const LocalMap& map : maps_.headers()) {
+    if (first_maps.empty() || maps_.headers()[as_index(first_maps.back())].session != map.session)
+      first_maps.push_back(map.id);
+  }
+  rivals_ = session_rivals(association_.problem(), association_.hypothesis(), first_maps);
+}
+
+/// What places where sessions may lie instead add to the covariance of a local map relative to
+/// those of older sessions.
+Eigen::Matrix3d Mapping::moment_of_rivals(int map) const {
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  for (const SessionRival& rival : rivals_)
+    moment += moment_of(rival, association_.hypothesis(), map);
+  return moment;
+}
+
+/// With gates so wide that a local map is also found where its session may lie instead.
+void Mapping::widen_to_rivals(int map, std::vector<NearMap>& near) const {
+  for (const SessionRival& rival : rivals_) {
+    if (map < rival.first || map >= rival.end) continue;
+    const Eigen::Matrix3d spread =
+        spread_to(rival, association_.hypothesis(), map, params_.candidates.sigmas);
+    for (NearMap& older : near) {
+      if (older.older < rival.first) older.covariance += spread;
+    }
+  }
 }
 
 /// From the first local map to the newest, from there to the current one, and in that to the body.
@@ -472,6 +510,7 @@ std::vector<Association> Mapping::reconnect() {
   if (decided.empty()) return decided;
   ++revision_;
   update_heights();
+  update_rivals();
   covariance_ = covariance_in_older_sessions();
   update_covariance_from_first();
   update_contradictions();
@@ -568,8 +607,10 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
   }
   const auto candidates_of = thorough ? thorough_candidates : loop_closure_candidates;
   const double sigmas = (thorough ? kThoroughSds : 1.0) * params.sigmas;
+  std::vector<NearMap> near = trial.near_maps(map, reach_m_, sigmas);
+  widen_to_rivals(map, near);
   std::vector<LoopClosureCandidate> candidates =
-      candidates_of(poses, trial.near_maps(map, reach_m_, sigmas), up_to(map, extents_), params);
+      candidates_of(poses, near, up_to(map, extents_), params);
   std::erase_if(candidates, [&](const LoopClosureCandidate& candidate) {
     return loosely_linked && is_neighbour(candidate.older, map);
   });

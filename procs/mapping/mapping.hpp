@@ -23,6 +23,7 @@
 #include "common/types/local_map.hpp"
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
+#include "procs/mapping/association/session_rivals.hpp"
 #include "procs/mapping/joining/run_join.hpp"
 #include "procs/mapping/level_error.hpp"
 #include "procs/mapping/local_map_builder.hpp"
@@ -179,6 +180,9 @@ class Mapping : private Evidence {
   void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
   void update_covariance_from_first();
+  void update_rivals();
+  [[nodiscard]] Eigen::Matrix3d moment_of_rivals(int map) const;
+  void widen_to_rivals(int map, std::vector<NearMap>& near) const;
   [[nodiscard]] Eigen::Matrix3d body_covariance() const;
   [[nodiscard]] bool session_is_connected() const;
   [[nodiscard]] bool is_bridged(int first_after_gap) const;
@@ -213,6 +217,7 @@ class Mapping : private Evidence {
   LaserMounts mounts_;
   LocalMapBuilder builder_;
   LazyAssociation association_;
+  std::vector<SessionRival> rivals_;
   LocalMapStore maps_;
   WallStore walls_;
   std::vector<MapExtent> extents_;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/export/ros2/ros2_messages.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "common/files/little_endian.hpp"
 #include "tools/export/ros2/cdr_writer.hpp"
@@ -38,19 +40,28 @@ double known(double rate) { return std::isfinite(rate) ? rate : 0.0; }
 
 }  // namespace
 
+/// In the order of measurement: a clockwise scan has a negative angle_increment.
 std::string laser_scan(const LaserScan& scan, const LaserMount& mount, const std::string& frame) {
-  const double steps = static_cast<double>(scan.ranges_m.size()) - 1.0;
+  const ScanTiming& timing = mount.timing;
+  const double step_rad = scan.angle_step_rad;
+  const double first_rad = scan.angle_min_rad;
+  const double last_rad = first_rad + (static_cast<double>(scan.ranges_m.size()) - 1.0) * step_rad;
+  // One number cannot say that the odd beams are measured a turn after the even ones: 0, unknown.
+  const double increment_s =
+      timing.turns(step_rad) == 1 ? timing.last_beam_time_s(2, step_rad) : 0.0;
+  std::vector<float> ranges_m = scan.ranges_m;
+  if (timing.clockwise) std::ranges::reverse(ranges_m);
   CdrWriter message;
   message.header(scan.utime, frame)
-      .f32(static_cast<float>(scan.angle_min_rad))
-      .f32(static_cast<float>(scan.angle_min_rad + steps * scan.angle_step_rad))
-      .f32(static_cast<float>(scan.angle_step_rad))
-      .f32(0.0F)  // time from beam to beam, and of a scan: not known
-      .f32(0.0F)
+      .f32(static_cast<float>(timing.clockwise ? last_rad : first_rad))
+      .f32(static_cast<float>(timing.clockwise ? first_rad : last_rad))
+      .f32(static_cast<float>(timing.clockwise ? -step_rad : step_rad))
+      .f32(static_cast<float>(increment_s))
+      .f32(static_cast<float>(timing.scan_period_s(step_rad)))
       .f32(static_cast<float>(mount.range_min_m))
       .f32(static_cast<float>(mount.range_max_m))
-      .u32(scan.ranges_m.size());
-  for (const float range : scan.ranges_m) message.f32(range);
+      .u32(ranges_m.size());
+  for (const float range : ranges_m) message.f32(range);
   return message.u32(0).bytes();  // intensities
 }
 

@@ -30,6 +30,7 @@
 #include "tools/ros/import/cloud_sequence_import.hpp"
 #include "tools/ros/import/clouds_on_poses.hpp"
 #include "tools/ros/import/level_scan.hpp"
+#include "tools/ros/messages/ros_messages.hpp"
 
 namespace adit {
 namespace {
@@ -177,6 +178,32 @@ TEST(LevelScan, KnowsTheTurnsOfALaserByTheTimeBetweenItsBeams) {
   EXPECT_TRUE(timing_of(scan)->clockwise);
   scan.time_increment_s = 5.0;
   EXPECT_FALSE(timing_of(scan));
+}
+
+/// What is written for ROS states the timing, by which it is read again.
+TEST(LevelScan, IsReadAsItWasWritten) {
+  LaserMount mount;
+  mount.timing = {.mirror_hz = 40.0, .mirror_turns = 1, .clockwise = false};
+  const LaserScan scan{kBegin, {1.0F, 2.0F, 3.0F, 4.0F, 5.0F}, -0.5, 0.25};
+  for (const bool clockwise : {false, true}) {
+    mount.timing.clockwise = clockwise;
+    const std::string bytes = ros2::laser_scan(scan, mount, "laser");
+    const auto read = ros_laser_scan(
+        {{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "cdr"});
+    ASSERT_TRUE(read);
+    EXPECT_GT(read->time_increment_s, 0.0);
+    const auto timing = timing_of(*read);
+    ASSERT_TRUE(timing);
+    EXPECT_NEAR(timing->mirror_hz, 40.0, 1e-3);
+    EXPECT_EQ(timing->clockwise, clockwise);
+    EXPECT_EQ(level_scan(*read, false)->ranges_m, scan.ranges_m);
+    EXPECT_EQ(read->utime, kBegin);  // of the beam that was measured first
+  }
+  // A SICK measures every other beam a turn later.
+  mount.timing = {.mirror_hz = 75.0, .mirror_turns = 2, .clockwise = false};
+  const std::string bytes = ros2::laser_scan(scan, mount, "laser");
+  EXPECT_FALSE(timing_of(*ros_laser_scan(
+      {{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "cdr"})));
 }
 
 TEST_F(BagImportTest, TellsTheFrontFromTheRearLaserByTf) {

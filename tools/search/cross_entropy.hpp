@@ -22,15 +22,15 @@ struct Evaluation {
 };
 
 struct CrossEntropyParams {
-  int batch = 40;
-  double uniform_share = 0.2;  ///< of a batch, drawn from the whole space
-  double elite_share = 0.15;   ///< of the points of the last batches
-  int memory = 3;              ///< batches from which the elite is taken
+  int batch = 16;
+  double uniform_share = 0.1;  ///< of a batch, drawn from the whole space
+  double elite_share = 0.1;    ///< of the points of the last batches
+  int memory = 4;              ///< batches from which the elite is taken
   double smoothing = 0.7;      ///< weight of the elite against the distribution before
   double sd_min = 0.03;        ///< of a range, relative to its width
-  double restart_sd = 0.25;    ///< of a restart around a random centre
+  double restart_sd = 0.3;     ///< of a restart around a random centre
   int known_after = 3;         ///< failures of a kind after which others like it do not guide
-  int stalls_max = 3;          ///< batches without progress before a restart
+  int stalls_max = 4;          ///< batches without progress before a restart
 };
 
 /// The cross-entropy method (Rubinstein and Kroese 2004, ch. 4) for failures of several kinds:

@@ -16,11 +16,11 @@ struct SearchDefinition {
   std::string severity;  ///< larger the closer a unit is to a failure; empty: no guidance
   std::string kind;      ///< text; failures with the same text but for numbers are of one kind
   int seed = 1;
-  int batch = 40;              ///< units of one distribution
+  int batch = 16;              ///< units of one distribution
   int units_max = 400;         ///< before the failures are shrunk
   int kinds_max = 0;           ///< kinds after which the search ends; 0: no limit
   int shrink_max = 60;         ///< units that shrink one kind
-  double uniform_share = 0.2;  ///< of a batch, drawn from the whole space
+  double uniform_share = 0.1;  ///< of a batch, drawn from the whole space
 
   template <class V>
   void visit(V& v) {

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kSamplingShare = 2.0 / 3.0;  // of the time limit; the rest is for shrinking
-constexpr int kBatchesWithoutUnitMax = 3;     // then a discrete space is taken for exhausted
+constexpr int kBatchesWithoutUnitMax = 20;    // then a discrete space is taken for exhausted
 
 class SearchSequence {
  public:
@@ -45,16 +45,23 @@ class SearchSequence {
 
   SearchResult run() {
     sample();
-    std::vector<FoundKind> kinds = kinds_found();
     progress_.is_shrinking = true;
     std::map<std::string, ShrunkPoint> shrunk;
-    for (const FoundKind& kind : kinds) shrunk[kind.kind] = shrink_kind(kind.kind);
+    while (const auto kind = next_kind(shrunk)) shrunk[*kind] = shrink_kind(*kind);
     return result(shrunk);
   }
 
  private:
   static std::int64_t microseconds(double seconds) {
     return static_cast<std::int64_t>(1e6 * seconds);
+  }
+
+  /// The first that is not shrunk yet. Shrinking may find further ones.
+  std::optional<std::string> next_kind(const std::map<std::string, ShrunkPoint>& shrunk) {
+    for (const FoundKind& kind : kinds_found()) {
+      if (!shrunk.contains(kind.kind)) return kind.kind;
+    }
+    return std::nullopt;
   }
 
   void sample() {
@@ -98,11 +105,19 @@ class SearchSequence {
              (kinds_max == 0 || static_cast<int>(kinds_.size()) < kinds_max);
     };
     auto evaluations = units_.evaluate(points, runner_, on_unit);
-    if (!evaluations) return std::nullopt;
-    for (const Evaluation& evaluation : *evaluations) {  // those of an earlier run, too
-      if (!evaluation.kind.empty()) kinds_.insert(evaluation.kind);
-    }
+    count_all();
     return evaluations;
+  }
+
+  /// Of earlier runs, too.
+  void count_all() {
+    progress_.units = progress_.failures = 0;
+    for (const SearchUnit& unit : units_.with_result()) {
+      ++progress_.units;
+      if (unit.evaluation.kind.empty()) continue;
+      ++progress_.failures;
+      kinds_.insert(unit.evaluation.kind);
+    }
   }
 
   /// Tells the progress after a unit that has run.
@@ -111,10 +126,8 @@ class SearchSequence {
     const std::string& kind = unit.evaluation.kind;
     const bool is_new = !kind.empty() && kinds_.insert(kind).second;
     if (!tell_) return;
-    const std::vector<SearchUnit> all = units_.with_result();
-    progress_.units = static_cast<int>(all.size());
-    progress_.failures = static_cast<int>(std::ranges::count_if(
-        all, [](const SearchUnit& other) { return !other.evaluation.kind.empty(); }));
+    ++progress_.units;
+    progress_.failures += !kind.empty();
     progress_.kinds = static_cast<int>(kinds_.size());
     progress_.new_kind = is_new ? kind : "";
     progress_.new_kind_id = is_new ? unit.unit->id : "";
@@ -142,7 +155,7 @@ class SearchSequence {
     return shrink(file_.space, start, file_.search.shrink_max, reproduces);
   }
 
-  /// Without what shrinking tells.
+  /// Each with the first unit in place of the simplest.
   std::vector<FoundKind> kinds_found() {
     std::vector<FoundKind> kinds;
     double cpu_s = 0.0;

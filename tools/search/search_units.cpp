@@ -90,21 +90,25 @@ std::size_t SearchUnits::add(const SearchPoint& point) {
   return entry->second;
 }
 
-std::optional<SearchUnit> SearchUnits::read(std::size_t unit) {
-  SqlStatement row = table_.database().prepare(
-      fmt::format("SELECT state, reason, ({}\n), ({}\n), ({}\n), cpu_s FROM campaign WHERE id = ?",
-                  file_.search.failure, expression_or(file_.search.severity, "NULL"),
-                  expression_or(file_.search.kind, "''")));
-  row.bind(0, plan_.units[unit].id);
-  if (!row.step() || row.is_null(0)) return std::nullopt;
-  if (row.text(0) == "not started") throw std::runtime_error(row.text(1));
-  SearchUnit result;
-  result.unit = &plan_.units[unit];
-  result.point = points_[unit];
-  result.cpu_s = row.number(5);
-  if (row.is_number(3)) result.evaluation.severity = row.number(3);
-  result.evaluation.kind = kind_of(row.text(0), row.text(1), row.truth(2), row.text(4));
-  return result;
+std::vector<SearchUnit> SearchUnits::read(const std::string& condition) {
+  SqlStatement row = table_.database().prepare(fmt::format(
+      "SELECT unit, state, reason, ({}\n), ({}\n), ({}\n), cpu_s FROM campaign WHERE state IS NOT "
+      "NULL AND {} ORDER BY unit",
+      file_.search.failure, expression_or(file_.search.severity, "NULL"),
+      expression_or(file_.search.kind, "''"), condition));
+  std::vector<SearchUnit> units;
+  while (row.step()) {
+    if (row.text(1) == "not started") throw std::runtime_error(row.text(2));
+    const auto index = static_cast<std::size_t>(row.integer(0)) - 1;
+    SearchUnit unit;
+    unit.unit = &plan_.units[index];
+    unit.point = points_[index];
+    unit.cpu_s = row.number(6);
+    if (row.is_number(4)) unit.evaluation.severity = row.number(4);
+    unit.evaluation.kind = kind_of(row.text(1), row.text(2), row.truth(3), row.text(5));
+    units.push_back(std::move(unit));
+  }
+  return units;
 }
 
 std::optional<std::vector<Evaluation>> SearchUnits::evaluate(const std::vector<SearchPoint>& points,
@@ -123,20 +127,15 @@ std::optional<std::vector<Evaluation>> SearchUnits::evaluate(const std::vector<S
   const auto on_result = [&](const CampaignUnit& unit, const UnitResult& result) {
     table_.add(unit, result);
     ++run;
-    return on_unit(*read(static_cast<std::size_t>(unit.number) - 1));
+    return on_unit(read(fmt::format("unit = {}", unit.number)).front());
   };
   if (!runner.run(plan_, missing, folder_, on_result) || run < missing.size()) return std::nullopt;
+  const std::vector<SearchUnit> all = with_result();  // now the whole plan
   std::vector<Evaluation> evaluations;
-  for (const std::size_t unit : units) evaluations.push_back(read(unit)->evaluation);
+  for (const std::size_t unit : units) evaluations.push_back(all.at(unit).evaluation);
   return evaluations;
 }
 
-std::vector<SearchUnit> SearchUnits::with_result() {
-  std::vector<SearchUnit> units;
-  for (std::size_t i = 0; i < plan_.units.size(); ++i) {
-    if (auto unit = read(i)) units.push_back(std::move(*unit));
-  }
-  return units;
-}
+std::vector<SearchUnit> SearchUnits::with_result() { return read("true"); }
 
 }  // namespace adit

@@ -67,7 +67,8 @@ class SearchUnits {
 
  private:
   std::size_t add(const SearchPoint& point);
-  std::optional<SearchUnit> read(std::size_t unit);
+  /// Units with a result whose columns satisfy the condition, in order.
+  std::vector<SearchUnit> read(const std::string& condition);
 
   const SearchFile& file_;
   CampaignFolder folder_;

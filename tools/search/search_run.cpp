@@ -85,10 +85,8 @@ class SearchSequence {
   }
 
   bool has_enough(std::int64_t deadline_us) const {
-    const int kinds_max = file_.search.kinds_max;
-    return is_stopped() || steady_us() >= deadline_us ||
-           static_cast<int>(units_.plan().units.size()) >= progress_.units_max ||
-           (kinds_max > 0 && static_cast<int>(kinds_.size()) >= kinds_max);
+    return is_stopped() || steady_us() >= deadline_us || has_enough_kinds() ||
+           static_cast<int>(units_.plan().units.size()) >= progress_.units_max;
   }
 
   bool is_stopped() const {
@@ -98,15 +96,22 @@ class SearchSequence {
 
   std::optional<std::vector<Evaluation>> evaluate(const std::vector<SearchPoint>& points,
                                                   std::int64_t deadline_us) {
+    const std::vector<std::size_t> indices = units_.add(points);
+    count_all();
     const auto on_unit = [&](const SearchUnit& unit) {
       count(unit);
-      const int kinds_max = progress_.is_shrinking ? 0 : file_.search.kinds_max;
-      return steady_us() < deadline_us &&
-             (kinds_max == 0 || static_cast<int>(kinds_.size()) < kinds_max);
+      return steady_us() < deadline_us && !has_enough_kinds();
     };
-    auto evaluations = units_.evaluate(points, runner_, on_unit);
-    count_all();
+    if (has_enough_kinds() || !units_.run(runner_, on_unit)) return std::nullopt;
+    const std::vector<SearchUnit> all = units_.with_result();  // now the whole plan
+    std::vector<Evaluation> evaluations;
+    for (const std::size_t i : indices) evaluations.push_back(all.at(i).evaluation);
     return evaluations;
+  }
+
+  bool has_enough_kinds() const {
+    const int kinds_max = file_.search.kinds_max;
+    return !progress_.is_shrinking && kinds_max > 0 && static_cast<int>(kinds_.size()) >= kinds_max;
   }
 
   /// Of earlier runs, too.

@@ -80,7 +80,7 @@ SearchUnits::SearchUnits(const SearchFile& file, const CampaignFolder& folder,
   table_.synchronize(plan_);
 }
 
-std::size_t SearchUnits::add(const SearchPoint& point) {
+std::size_t SearchUnits::add_point(const SearchPoint& point) {
   CampaignUnit unit = maker_.unit(file_.space.values(point));
   const auto [entry, is_new] = ids_.try_emplace(unit.id, plan_.units.size());
   if (!is_new) return entry->second;
@@ -111,29 +111,25 @@ std::vector<SearchUnit> SearchUnits::read(const std::string& condition) {
   return units;
 }
 
-std::optional<std::vector<Evaluation>> SearchUnits::evaluate(const std::vector<SearchPoint>& points,
-                                                             const LocalRunner& runner,
-                                                             const OnUnit& on_unit) {
+std::vector<std::size_t> SearchUnits::add(const std::vector<SearchPoint>& points) {
   std::vector<std::size_t> units;
-  for (const SearchPoint& point : points) units.push_back(add(point));
-  {
-    SqlTransaction transaction(table_.database());
-    table_.add_units(plan_);
-    table_.collect(plan_);
-    transaction.commit();
-  }
+  for (const SearchPoint& point : points) units.push_back(add_point(point));
+  SqlTransaction transaction(table_.database());
+  table_.add_units(plan_);
+  table_.collect(plan_);
+  transaction.commit();
+  return units;
+}
+
+bool SearchUnits::run(const LocalRunner& runner, const OnUnit& on_unit) {
   const std::vector<const CampaignUnit*> missing = table_.units_without_result(plan_);
-  std::size_t run = 0;
+  std::size_t count = 0;
   const auto on_result = [&](const CampaignUnit& unit, const UnitResult& result) {
     table_.add(unit, result);
-    ++run;
+    ++count;
     return on_unit(read(fmt::format("unit = {}", unit.number)).front());
   };
-  if (!runner.run(plan_, missing, folder_, on_result) || run < missing.size()) return std::nullopt;
-  const std::vector<SearchUnit> all = with_result();  // now the whole plan
-  std::vector<Evaluation> evaluations;
-  for (const std::size_t unit : units) evaluations.push_back(all.at(unit).evaluation);
-  return evaluations;
+  return runner.run(plan_, missing, folder_, on_result) && count == missing.size();
 }
 
 std::vector<SearchUnit> SearchUnits::with_result() { return read("true"); }

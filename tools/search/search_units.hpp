@@ -52,21 +52,24 @@ class SearchUnits {
   SearchUnits(const SearchFile& file, const CampaignFolder& folder,
               const std::filesystem::path& programs);
 
+  /// Adds the points to the plan, and takes results that are in the folder. Returns the index in
+  /// the plan of each.
+  std::vector<std::size_t> add(const std::vector<SearchPoint>& points);
+
   /// Is told each unit that has run. Returns whether to continue.
   using OnUnit = std::function<bool(const SearchUnit&)>;
 
-  /// Runs what has no result. Returns the evaluations in the order of the points; nothing if the
+  /// Runs the units of the plan that have no result. Returns whether all have one now: false if the
   /// runner or `on_unit` stopped it. Throws as LocalRunner does, and std::runtime_error if the
   /// command cannot be started.
-  std::optional<std::vector<Evaluation>> evaluate(const std::vector<SearchPoint>& points,
-                                                  const LocalRunner& runner, const OnUnit& on_unit);
+  bool run(const LocalRunner& runner, const OnUnit& on_unit);
 
-  /// All units that have a result, in the order in which they were asked for.
+  /// All units that have a result, in the order of the plan.
   [[nodiscard]] std::vector<SearchUnit> with_result();
   [[nodiscard]] const CampaignPlan& plan() const { return plan_; }
 
  private:
-  std::size_t add(const SearchPoint& point);
+  std::size_t add_point(const SearchPoint& point);
   /// Units with a result whose columns satisfy the condition, in order.
   std::vector<SearchUnit> read(const std::string& condition);
 

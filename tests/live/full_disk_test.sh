@@ -26,6 +26,7 @@ mkdir ../in_clouds && "$adit" scan sample --out ../in_clouds/1700000000.ply >/de
 printf '1700000000 0 0 0 0 0 0 1\n' > in_poses.tum
 printf '0 0\n1 0\n' > in.txt
 printf 'campaign: {command: "true {n} {out}"}\nmatrix: {n: [1, 2]}\n' > in.yaml
+printf 'campaign: {command: "true {n} {out}"}\nsearch: {failure: n > 2}\nspace: {n: [1, 2]}\n' > in_search.yaml
 cp "$here/../../deploy/config/groundhog.yaml" in_robot.yaml
 mapfile -t inputs < <(ls)
 
@@ -38,6 +39,7 @@ declare -A prints=(
   [import_clouds]='import clouds ../in_clouds out.lcmlog --poses in_poses.tum' [map]='map in.log --out out' [merge]='merge in.log --out out'
   [optimize]='optimize in.g2o'
   [plan]='plan in_scan.lcmlog --list' [sample]='sample out.log --length-m 2' [scan]='scan sample --out out.ply'
+  [search]='search in_search.yaml --out out'
   [volume]='volume in_scan.lcmlog --out out')
 # Files: command lines that write, and print nothing that matters.
 declare -A writes=(
@@ -54,8 +56,8 @@ declare -A writes=(
   [sim_view]='sim sample --view out.png' [sim_truth]='sim sample --truth out' [sim_describe]='sim sample --describe out.yaml'
   [volume]='volume in_scan.lcmlog --out out')
 # Not here: these print what a supervisor or a mission answers, with the same check at the end (run_adit), or start
-# a program; report, survey and mission need the log of a mission (tests/unit/tools). The database of a campaign is never the same to
-# the byte (tests/unit/tools/campaign).
+# a program; report, survey and mission need the log of a mission (tests/unit/tools). The database of a campaign or a search is never the same to
+# the byte (tests/unit/tools/campaign, search).
 elsewhere=' logs mission order ps reload report restart spy start stop survey view '
 
 for command in $("$adit" --help | sed -n '/^Subcommands:/,/^$/p' | awk '/^  [a-z]/ {print $1}'); do

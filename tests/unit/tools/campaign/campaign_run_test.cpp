@@ -130,6 +130,37 @@ TEST_F(Campaign, ReadsOtherScoresWithoutRunningAgain) {
   EXPECT_EQ(runs()["1"], 1);
 }
 
+/// Also of units that were not in the plan when the scores changed.
+TEST_F(Campaign, ReadsOtherScoresOfUnitsOfAnEarlierPlan) {
+  run(campaign("", "", "[1, 2]"));
+  std::string text = campaign("", "", "[1]");
+  const auto rename = [](std::string& score) {
+    score.replace(score.find("{name: value"), 12, "{name: other");
+  };
+  rename(text);
+  run(text);
+  std::string both = campaign("", "", "[1, 2]");
+  rename(both);
+  run(both);
+  EXPECT_THAT(select("other"), ElementsAre("1", "2"));
+  EXPECT_EQ(runs()["2"], 1);
+}
+
+TEST_F(Campaign, WritesTheFilesOfAUnitBeforeItStarts) {
+  const auto text = [](const std::string& text_of_file) {
+    return "campaign:\n  command: sh -c 'cp {out}/in/{n}.json {out}/score.json'\n"
+           "  files:\n    - name: in/{n}.json\n      text: |\n        " +
+           text_of_file +
+           "\n  scores:\n    - {name: value, file: score.json, pointer: /value}\n"
+           "    - {name: out, file: score.json, pointer: /out}\nmatrix: {n: [1, 2]}\n";
+  };
+  run(text(R"({{"value": {n}0, "out": "{out}"}})"));
+  EXPECT_THAT(select("value"), ElementsAre("10", "20"));
+  EXPECT_THAT(select("out"), testing::Each(testing::EndsWith("/out")));
+  run(text(R"({{"value": {n}00, "out": ""}})"));  // a unit depends on the content of its files
+  EXPECT_THAT(select("value"), ElementsAre("100", "200"));
+}
+
 TEST_F(Campaign, CountsOtherExitCodesWithoutRunningAgain) {
   const std::string text = campaign("2) echo {{}} >{out}/score.json; exit 1;;", "", "[1, 2]");
   run(text);

@@ -12,9 +12,10 @@
 namespace adit {
 namespace {
 
-constexpr double kSameM = 0.3;    // between alternatives for one place,
-constexpr double kSameRad = 0.1;  // and of their headings
-constexpr double kRefuted = 7.0;  // log-odds: one in a thousand
+constexpr double kSameM = 0.3;     // between alternatives for one place,
+constexpr double kSameRad = 0.1;   // and of their headings
+constexpr double kOutside = 0.02;  // probability of a place beyond any interval of 95 %
+constexpr double kRefuted = 7.0;   // log-odds: one in a thousand
 // Log-odds by a local map that was searched there, too (spread_to), and not found, where its match
 // tells the two places apart.
 constexpr double kNotThere = 1.5;
@@ -91,6 +92,20 @@ double log_odds_by(const AssociationProblem& problem, const Hypothesis& hypothes
   return tells_apart ? kNotThere : 0.0;
 }
 
+/// Log-odds by what is known of the motion between the end of the session before and local map
+/// `first`, the first of this one.
+double log_odds_by_link(const AssociationProblem& problem, const Hypothesis& hypothesis, int first,
+                        const SessionRival& rival) {
+  const PoseConstraint& link = problem.chain[as_index(first - 1)];
+  const Pose2 T_last_first =
+      between(hypothesis.T_map_local[as_index(first - 1)], hypothesis.T_map_local[as_index(first)]);
+  const auto cost = [&](const Pose2& T_last_there) {
+    const Eigen::Vector3d error = between(link.T_from_to, T_last_there).vector();
+    return 0.5 * error.dot(link.information * error);
+  };
+  return cost(T_last_first * shift_at(rival, hypothesis, first)) - cost(T_last_first);
+}
+
 void add_rivals(const AssociationProblem& problem, const Hypothesis& hypothesis, int first, int end,
                 std::vector<SessionRival>& rivals) {
   const Links links = links_of(problem, hypothesis, first, end);
@@ -107,6 +122,7 @@ void add_rivals(const AssociationProblem& problem, const Hypothesis& hypothesis,
     }
   }
   for (SessionRival& rival : found) {
+    rival.log_odds = log_odds_by_link(problem, hypothesis, first, rival);
     for (const auto& [newer, closures] : links) {
       const Pose2 shift = shift_at(rival, hypothesis, newer);
       rival.log_odds += log_odds_by(problem, hypothesis, closures, shift);
@@ -136,7 +152,7 @@ std::vector<SessionRival> session_rivals(const AssociationProblem& problem,
 }
 
 Eigen::Matrix3d moment_of(const SessionRival& rival, const Hypothesis& hypothesis, int map) {
-  if (map < rival.first) return Eigen::Matrix3d::Zero();
+  if (map < rival.first || rival.probability() < kOutside) return Eigen::Matrix3d::Zero();
   return rival.probability() * square_of(shift_at(rival, hypothesis, map));
 }
 

@@ -18,8 +18,9 @@ struct SessionRival {
   int first = 0;  ///< the first local map of the session
   int end = 0;    ///< the first one after it; of the newest session any later one
   Pose2 shift;    ///< of the session: pose of local map `first` there, in `first` here
-  /// Log-odds of the session being here. Matches of one local map with several older ones count
-  /// as one, since they share its errors; those of different local maps add up.
+  /// Log-odds of the session being here, by its link to the session before and by matches. Those of
+  /// one local map with several older ones count as one, since they share its errors; those of
+  /// different local maps add up.
   double log_odds = 0.0;
 
   [[nodiscard]] double probability() const;
@@ -33,7 +34,7 @@ std::vector<SessionRival> session_rivals(const AssociationProblem& problem,
 
 /// What a rival adds to the covariance of the pose of a map in the older sessions, (x, y, θ) in the
 /// frame of the map: the second moment of the two places about the present one. Zero for a map
-/// before the session.
+/// before the session, and for a rival so improbable that an interval of 95 % leaves it out.
 Eigen::Matrix3d moment_of(const SessionRival& rival, const Hypothesis& hypothesis, int map);
 
 /// The covariance to be added to the prediction of a map of the session, so that a search within

@@ -19,6 +19,8 @@ class SessionRivals : public testing::Test {
  protected:
   SessionRivals() {
     for (int i = 0; i < 6; ++i) hypothesis_.T_map_local.push_back({5.0 * i, 0.0, 0.0});
+    for (int i = 1; i < 6; ++i)
+      problem_.chain.push_back({i - 1, i, {5.0, 0.0, 0.0}, Eigen::Matrix3d::Zero()});
   }
 
   /// Finds a map at its pose, and beside it along the tunnel at these distances, each with its
@@ -69,6 +71,22 @@ TEST_F(SessionRivals, AreAsProbableAsTheirLikelihoodSays) {
   // 0.7 m with probability p: the second moment is p times 0.49 m².
   EXPECT_NEAR(moment_of(found[0], hypothesis_, 5)(0, 0), found[0].probability() * 0.49, kTolerance);
   EXPECT_EQ(moment_of(found[0], hypothesis_, 2).norm(), 0.0);
+}
+
+/// The robot was not moved by more than this while the computer was off.
+TEST_F(SessionRivals, AreLessProbableFartherFromWhereTheSessionBeforeEnded) {
+  problem_.chain[2].information = Eigen::Vector3d(1.0, 1.0, 4.0).asDiagonal();
+  hypothesis_.T_map_local[3].x += 0.5;  // 0.5 m beyond the end; its rival 1.2 m, or before
+  find(3, 1, 50.0, {{0.7, 50.0}, {-0.7, 50.0}});
+  ASSERT_EQ(rivals().size(), 2U);
+  EXPECT_NEAR(rivals()[0].log_odds, 0.5 * (1.2 * 1.2 - 0.5 * 0.5), kTolerance);
+  EXPECT_NEAR(rivals()[1].log_odds, 0.5 * (0.2 * 0.2 - 0.5 * 0.5), kTolerance);
+}
+
+TEST_F(SessionRivals, AreOutsideOfAnInterval) {
+  find(3, 1, 50.0, {{0.7, 45.5}});  // 1.1 %
+  ASSERT_EQ(rivals().size(), 1U);
+  EXPECT_EQ(moment_of(rivals()[0], hypothesis_, 5).norm(), 0.0);
 }
 
 TEST_F(SessionRivals, CountMatchesOfOneMapOnce) {

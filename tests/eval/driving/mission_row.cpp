@@ -39,7 +39,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_
 namespace {
 
 std::filesystem::path folder_of(const MissionRow& row, const MissionRowOptions& options) {
-  std::string name = row.name;
+  std::string name = std::filesystem::path(row.name).filename().string();  // of a world file
   std::replace(name.begin(), name.end(), ':', '_');
   return options.folder / name;
 }

@@ -108,12 +108,33 @@ bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p
   return inside;
 }
 
+/// A point in a ring, in the middle of the widest part at half of its height.
+Eigen::Vector2d inside_of(const std::vector<Eigen::Vector2d>& ring) {
+  const auto [low, high] = std::ranges::minmax_element(
+      ring, {}, [](const Eigen::Vector2d& p) -> double { return p.y(); });
+  const double y = 0.5 * (low->y() + high->y()) + 1e-6;
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d& a = ring[i];
+    const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
+    if ((a.y() > y) != (b.y() > y))
+      crossings.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+  }
+  std::ranges::sort(crossings);
+  Eigen::Vector2d inside = ring.front();
+  double widest = 0.0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i + 1] - crossings[i] <= widest) continue;
+    widest = crossings[i + 1] - crossings[i];
+    inside = {0.5 * (crossings[i] + crossings[i + 1]), y};
+  }
+  return inside;
+}
+
 void add_pillars(const MineSurvey& survey, const SurveyTruth& truth, BodyErrors& errors) {
   for (const Pillar& pillar : survey.pillars()) {
     ++errors.pillars;
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& p : pillar.outline.points) middle += p;
-    middle /= static_cast<double>(pillar.outline.points.size());
+    const Eigen::Vector2d middle = inside_of(pillar.outline.points);
     const auto T_world = truth.T_world_survey_at(survey.graph().node_near_in_survey(middle));
     if (!T_world) continue;
     const Eigen::Vector2d p_world = T_world->plan * middle;

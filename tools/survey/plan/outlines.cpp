@@ -7,8 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "common/grid/distance_transform.hpp"
 #include "tools/survey/files/contour_lines.hpp"
 #include "tools/survey/raster/elevation_rasters.hpp"
+#include "tools/survey/raster/void_volume.hpp"
 
 namespace adit {
 namespace {
@@ -20,20 +22,44 @@ constexpr double kUnitInterval = 1.0;
 
 bool is_void(const SurveyColumn& column) { return column.kind == SurveyColumn::Kind::kVoid; }
 
-/// 1 in void, 0 elsewhere, with a rim.
-Raster void_raster(const ColumnGrid& grid) {
+/// Share of void, with a rim: 1 in void, 0 in rock and where nothing was seen; through a wall,
+/// whose relief fills a cell or two, it falls so that it is half in the middle, as void_volume
+/// counts it.
+Grid2<float> void_shares(const ColumnGrid& grid) {
+  constexpr float kUnderHalf = 1e-3F;  // no cell is exactly on the contour
+  const double wall_max_m = VoidVolumeParams{}.wall_max_m;
   const CellBox box{grid.columns.box().from.array() - 1, grid.columns.box().to.array() + 1};
+  Grid2<std::uint8_t> voids(box);
+  for (std::size_t i = 0; i < voids.size(); ++i)
+    voids[i] = is_void(grid.columns.get(voids.cell(i))) ? 1 : 0;
+  const Grid2<float> to_void_m = distance_transform(voids, grid.cell_m);
+  Grid2<std::uint8_t> rock(box);
+  for (std::size_t i = 0; i < rock.size(); ++i) {
+    const bool is_wall = grid.columns.get(rock.cell(i)).kind == SurveyColumn::Kind::kWall;
+    rock[i] = voids[i] == 0 && !(is_wall && to_void_m[i] <= wall_max_m) ? 1 : 0;
+  }
+  const Grid2<float> to_rock_m = distance_transform(rock, grid.cell_m);
+  Grid2<float> shares(box);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (voids[i] != 0) {
+      shares[i] = 1.0F;
+    } else if (rock[i] == 0) {
+      shares[i] = to_rock_m[i] / (to_void_m[i] + to_rock_m[i]) - kUnderHalf;
+    }
+  }
+  return shares;
+}
+
+Raster raster_of(const Grid2<float>& shares, double cell_m) {
+  const CellBox& box = shares.box();
   Raster raster;
   raster.columns = box.size().x();
   raster.rows = box.size().y();
-  raster.cell_m = grid.cell_m;
-  raster.north_west = grid.cell_m * Eigen::Vector2d(box.from.x(), box.to.y());
+  raster.cell_m = cell_m;
+  raster.north_west = cell_m * Eigen::Vector2d(box.from.x(), box.to.y());
   RasterBand band{"void", "", {}};
   for (int y = box.to.y() - 1; y >= box.from.y(); --y) {
-    for (int x = box.from.x(); x < box.to.x(); ++x) {
-      const bool inside = is_void(grid.columns.get({x, y}));
-      band.values.push_back(inside ? 1.0F : 0.0F);
-    }
+    for (int x = box.from.x(); x < box.to.x(); ++x) band.values.push_back(shares.at({x, y}));
   }
   raster.bands.push_back(std::move(band));
   return raster;
@@ -57,11 +83,13 @@ BesideLine void_beside(const std::vector<Eigen::Vector2d>& line, const ColumnGri
     const Eigen::Vector2d along = line[i + 1] - line[i];
     if (along.norm() < 1e-9) continue;
     const Eigen::Vector2d left = Eigen::Vector2d(-along.y(), along.x()).normalized();
-    for (const double side : {1.0, -1.0}) {
-      const Eigen::Vector2d p = 0.5 * (line[i] + line[i + 1]) + side * grid.cell_m * left;
-      const Eigen::Vector2i cell = cell_of(p, grid.cell_m);
-      if (grid.columns.contains(cell) && is_void(grid.columns.at(cell)))
-        return {&grid.columns.at(cell), side > 0.0};
+    for (const double cells : {1.0, 2.0, 3.0}) {  // beyond half of a wall
+      for (const double side : {1.0, -1.0}) {
+        const Eigen::Vector2d p = 0.5 * (line[i] + line[i + 1]) + side * cells * grid.cell_m * left;
+        const Eigen::Vector2i cell = cell_of(p, grid.cell_m);
+        if (grid.columns.contains(cell) && is_void(grid.columns.at(cell)))
+          return {&grid.columns.at(cell), side > 0.0};
+      }
     }
   }
   return {};
@@ -74,7 +102,8 @@ BesideLine void_beside(const std::vector<Eigen::Vector2d>& line, const ColumnGri
 std::vector<VoidOutline> void_outlines(const ColumnGrid& filled) {
   std::vector<VoidOutline> outlines;
   if (filled.columns.size() == 0) return outlines;
-  for (ContourLine& line : contour_lines(void_raster(filled), 0.5, kUnitInterval)) {
+  for (ContourLine& line :
+       contour_lines(raster_of(void_shares(filled), filled.cell_m), 0.5, kUnitInterval)) {
     if (line.length_m() < kOutlineMinM) continue;
     const BesideLine beside = void_beside(line.points, filled);
     if (beside.column == nullptr) continue;

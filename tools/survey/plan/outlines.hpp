@@ -21,7 +21,8 @@ struct VoidOutline {
   double z_m = 0.0;      ///< height of the floor beside it
 };
 
-/// Outlines of the void of a grid without gaps; those shorter than 1 m are left out.
+/// Outlines of the void of a grid without gaps, in the middle of the relief of its walls; those
+/// shorter than 1 m are left out.
 std::vector<VoidOutline> void_outlines(const ColumnGrid& filled);
 
 /// A line of equal elevation of the floor.

@@ -18,8 +18,9 @@ namespace adit {
 namespace {
 
 constexpr double kPillarMinM2 = 1.0;
-constexpr double kWallSdM = 0.01;  // of the place of a wall, common to all around
-constexpr double kBesideM = 0.6;   // of an outline, for the height of the workings there
+constexpr double kPillarWidthMinM = 0.3;  // narrower ones are a wall or an obstacle
+constexpr double kWallSdM = 0.01;         // of the place of a wall, common to all around
+constexpr double kBesideM = 0.6;          // of an outline, for the height of the workings there
 
 /// Whether a point is within a closed ring, by the crossings to its right.
 bool is_within(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring) {
@@ -33,20 +34,34 @@ bool is_within(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& rin
   return within;
 }
 
-/// The diameter of the largest circle in a ring; `to_void_m`: distance of each cell to void.
-double inscribed_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>& to_void_m,
+/// The diameter of the largest circle in a ring; `to_line_m`: distance of each cell from the
+/// nearest outline.
+double inscribed_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>& to_line_m,
                    double cell_m) {
   CellBox box;
   for (const Eigen::Vector2d& p : ring) box = united(box, cell_of(p, cell_m));
   double radius_m = 0.0;
   for (int y = box.from.y(); y < box.to.y(); ++y) {
     for (int x = box.from.x(); x < box.to.x(); ++x) {
-      const double distance_m = to_void_m.get({x, y}, 0.0F);
+      const double distance_m = to_line_m.get({x, y}, 0.0F);
       if (distance_m > radius_m && is_within(centre_of({x, y}, cell_m), ring))
         radius_m = distance_m;
     }
   }
-  return std::max(0.0, 2.0 * radius_m - cell_m);  // from edge to edge of the cells of void
+  return 2.0 * radius_m;
+}
+
+/// Distance of each cell from the nearest cell through which an outline runs.
+Grid2<float> distance_to_lines_m(const std::vector<VoidOutline>& outlines, const CellBox& box,
+                                 double cell_m) {
+  Grid2<std::uint8_t> lines(box);
+  for (const VoidOutline& outline : outlines) {
+    for (const Eigen::Vector2d& p : outline.points) {
+      const Eigen::Vector2i cell = cell_of(p, cell_m);
+      if (lines.contains(cell)) lines.at(cell) = 1;
+    }
+  }
+  return distance_transform(lines, cell_m);
 }
 
 double height_beside_m(const std::vector<Eigen::Vector2d>& ring, const ColumnGrid& filled) {
@@ -69,16 +84,15 @@ double height_beside_m(const std::vector<Eigen::Vector2d>& ring, const ColumnGri
 std::vector<Pillar> pillars_of(const ColumnGrid& filled) {
   std::vector<Pillar> pillars;
   if (filled.columns.size() == 0) return pillars;
-  Grid2<std::uint8_t> is_void(filled.columns.box());
-  for (std::size_t i = 0; i < filled.columns.size(); ++i)
-    is_void[i] = filled.columns[i].kind == SurveyColumn::Kind::kVoid ? 1 : 0;
-  const Grid2<float> to_void_m = distance_transform(is_void, filled.cell_m);
-  for (VoidOutline& outline : void_outlines(filled)) {
+  std::vector<VoidOutline> outlines = void_outlines(filled);
+  const Grid2<float> to_line_m = distance_to_lines_m(outlines, filled.columns.box(), filled.cell_m);
+  for (VoidOutline& outline : outlines) {
     if (!outline.is_pillar || outline.area_m2 < kPillarMinM2) continue;
     Pillar pillar;
     const double by_chance = 0.5 * filled.cell_m * std::sqrt(outline.length_m * filled.cell_m);
     pillar.area_m2 = {outline.area_m2, std::hypot(outline.length_m * kWallSdM, by_chance)};
-    pillar.width_m = inscribed_m(outline.points, to_void_m, filled.cell_m);
+    pillar.width_m = inscribed_m(outline.points, to_line_m, filled.cell_m);
+    if (pillar.width_m < kPillarWidthMinM) continue;
     pillar.height_m = height_beside_m(outline.points, filled);
     pillar.outline = std::move(outline);
     pillars.push_back(std::move(pillar));

@@ -32,7 +32,8 @@ struct Extraction {
   Measured ratio;
 };
 
-/// Pillars of at least 1 m²; the smallest width first. `filled`: columns without gaps.
+/// Pillars of at least 1 m² and 0.3 m of width; the smallest width first. `filled`: columns without
+/// gaps.
 std::vector<Pillar> pillars_of(const ColumnGrid& filled);
 
 Extraction extraction(const std::vector<Pillar>& pillars, const Measured& void_area_m2);

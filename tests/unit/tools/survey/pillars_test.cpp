@@ -12,18 +12,26 @@ namespace {
 
 constexpr double kRoomCellM = 0.1;
 
-/// A room of 20 m by 20 m, 2 m high, with pillars: 4 m by 6 m, and 1.5 m by 5 m.
+/// A room of 20 m by 20 m, 2 m high, with pillars: 4 m by 6 m, and 1.5 m by 5 m, on the walls of
+/// which the returns are: in cells that reach from 0.05 m within to 0.05 m beyond them. Nothing is
+/// seen of the rock behind.
 ColumnGrid room() {
-  ColumnGrid grid{kRoomCellM, Grid2<SurveyColumn>(CellBox{{-5, -5}, {205, 205}})};
+  ColumnGrid grid{kRoomCellM, Grid2<SurveyColumn>(CellBox{{-5, -5}, {206, 206}})};
   for (std::size_t i = 0; i < grid.columns.size(); ++i) {
-    const Eigen::Vector2d p = centre_of(grid.columns.cell(i), kRoomCellM);
+    // Walls through the middles of cells.
+    const Eigen::Vector2d p = kRoomCellM * grid.columns.cell(i).cast<double>();
     const auto in = [&](double x0, double x1, double y0, double y1) {
       return p.x() > x0 && p.x() < x1 && p.y() > y0 && p.y() < y1;
     };
+    const auto is_rock = [&](double by_m) {
+      return !in(by_m, 20.0 - by_m, by_m, 20.0 - by_m) ||
+             in(4.0 - by_m, 8.0 + by_m, 4.0 - by_m, 10.0 + by_m) ||
+             in(13.0 - by_m, 14.5 + by_m, 10.0 - by_m, 15.0 + by_m);
+    };
     SurveyColumn& column = grid.columns[i];
+    if (is_rock(-0.5 * kRoomCellM - 1e-9)) continue;
     column.kind = SurveyColumn::Kind::kWall;
-    if (!in(0.0, 20.0, 0.0, 20.0) || in(4.0, 8.0, 4.0, 10.0) || in(13.0, 14.5, 10.0, 15.0))
-      continue;
+    if (is_rock(0.5 * kRoomCellM)) continue;
     column.kind = SurveyColumn::Kind::kVoid;
     column.floor_m = 0.0F;
     column.roof_m = 2.0F;
@@ -54,7 +62,7 @@ TEST(Pillars, GiveTheExtractionRatio) {
 TEST(Pillars, AreATable) {
   const std::string table = pillar_table(pillars_of(room()), SurveyFrame::local());
   EXPECT_THAT(table, testing::StartsWith("pillar,x_m,y_m,"));
-  EXPECT_THAT(table, testing::HasSubstr("\n1,13.7"));
+  EXPECT_THAT(table, testing::HasSubstr("\n1,13.8"));
 }
 
 }  // namespace

@@ -123,9 +123,9 @@ void add_rivals(const AssociationProblem& problem, const Hypothesis& hypothesis,
   }
   for (SessionRival& rival : found) {
     rival.log_odds = log_odds_by_link(problem, hypothesis, first, rival);
-    for (const auto& [newer, closures] : links) {
+    for (const auto& [newer, of_newer] : links) {
       const Pose2 shift = shift_at(rival, hypothesis, newer);
-      rival.log_odds += log_odds_by(problem, hypothesis, closures, shift);
+      rival.log_odds += log_odds_by(problem, hypothesis, of_newer, shift);
     }
     if (rival.log_odds < kRefuted) rivals.push_back(rival);
   }

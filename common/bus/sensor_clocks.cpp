@@ -121,7 +121,16 @@ std::string_view SensorClocks::check(const std::string& channel, std::int64_t ut
   if (!rejected.is_followed_by(utime, arrival_utime)) rejected = {};
   rejected.add(utime, arrival_utime);
   const bool lasts = is_lasting(rejected.length, rejected.first_arrival_utime, arrival_utime);
-  if (!lasts || others_continue(channel, arrival_utime)) return kNotContinuous;
+  const bool others = others_continue(channel, arrival_utime);
+  if (lasts && others && !contradicts_others(channel, utime, arrival_utime)) {
+    // What was accepted of it before was wrong, as a first stamp may be that nothing contradicts.
+    const bool was_ahead = accepted.last_utime > utime;
+    accepted = std::exchange(rejected, {});
+    state.repetitions = 0;
+    if (was_ahead && on_set_) on_set_();
+    return {};
+  }
+  if (!lasts || others) return kNotContinuous;
   for (auto& [name, other] : channels_) other = {};  // the others are expected to follow
   channels_[channel].accepted.add(utime, arrival_utime);
   if (on_set_) on_set_();

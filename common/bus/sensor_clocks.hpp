@@ -25,7 +25,8 @@ namespace adit {
 /// takes the smallest latency for the true one). The first stamp of a channel may not be more than
 /// half a second from all others. When a channel continues from a rejected stamp,
 /// its clock was set: it is followed if no other channel of the stage contradicts it, as when the
-/// clock of the computer was set or a log is played again; otherwise the channel stays rejected
+/// clock of the computer was set or a log is played again; so is a channel that agrees with the
+/// others by now, of which the first stamp was wrong. Otherwise the channel stays rejected
 /// until its clock is right, and `fault` says by how much it is off. A step of less than half a
 /// second is followed once it lasts, and reported while it makes a channel ahead of all others.
 /// A process may receive its first measurements before it knows the time of the bus, or a simulated

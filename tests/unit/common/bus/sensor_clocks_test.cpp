@@ -70,6 +70,17 @@ TEST_P(MonitoredClocks, RecoverFromAVeryFirstStampThatIsOff) {
   EXPECT_TRUE(clocks_.fault(now_).empty());
 }
 
+/// The other channel is accepted as soon as the wrong stamp is old, before this one is again.
+TEST_P(MonitoredClocks, RecoverAChannelOfWhichTheFirstStampWasOff) {
+  EXPECT_EQ(accepts("IMU", now_ + GetParam()), 1);
+  now_ += kPeriodUs;
+  run(4.0, 0, 0);
+  run(1.0, 0, 0);
+  EXPECT_EQ(laser_accepted_, 50);
+  EXPECT_EQ(imu_accepted_, 50);
+  EXPECT_TRUE(clocks_.fault(now_).empty());
+}
+
 TEST_P(MonitoredClocks, ReportAClockThatIsOffFromTheBeginning) {
   for (int i = 0; i < 10; ++i, now_ += kPeriodUs) EXPECT_EQ(accepts("IMU", now_), 1);
   run(5.0, GetParam(), 0);

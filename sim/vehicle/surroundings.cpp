@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "common/geometry/ring.hpp"
+
 namespace adit {
 namespace {
 
@@ -23,19 +25,6 @@ std::pair<float, float> span_z(const TriangleMesh& mesh) {
     high = std::max(high, vertex.z());
   }
   return {low, high};
-}
-
-/// Counts the crossings of a ray along x (Shimrat, "Algorithm 112", 1962).
-bool is_inside(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Eigen::Vector2d& a = outline[i];
-    const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
-    if (p.x() < x) inside = !inside;
-  }
-  return inside;
 }
 
 }  // namespace
@@ -88,7 +77,7 @@ std::optional<WaterAbove> water_above(const World& world, const Eigen::Vector3d&
   for (const StandingWater& water : world.water) {
     const double depth_m = water.level_m - p_world.z();
     if (depth_m <= (deepest ? deepest->depth_m : 0.0)) continue;
-    if (is_inside(water.outline, p_world.head<2>())) deepest = WaterAbove{depth_m, water.name};
+    if (encloses(water.outline, p_world.head<2>())) deepest = WaterAbove{depth_m, water.name};
   }
   return deepest;
 }

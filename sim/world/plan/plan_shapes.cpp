@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "common/geometry/ring.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
@@ -44,16 +45,12 @@ double depth_m(const TunnelSegment& segment, const Eigen::Vector2d& p_world) {
 
 double depth_m(const PlanPolygon& polygon, const Eigen::Vector2d& p_world) {
   double distance = std::numeric_limits<double>::infinity();
-  bool inside = false;  // after an odd number of crossings of a line to infinity along x
   for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
     const Eigen::Vector2d& a = polygon.corners[i];
     const Eigen::Vector2d& b = polygon.corners[(i + 1) % polygon.corners.size()];
     distance = std::min(distance, distance_to_segment(p_world, a, b));
-    if ((a.y() > p_world.y()) == (b.y() > p_world.y())) continue;
-    const double x = a.x() + (p_world.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    if (x > p_world.x()) inside = !inside;
   }
-  return inside ? distance : -distance;
+  return encloses(polygon.corners, p_world) ? distance : -distance;
 }
 
 double depth_m(const PlanShape& shape, const Eigen::Vector2d& p_world) {

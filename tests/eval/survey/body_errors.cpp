@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "common/geometry/order_statistics.hpp"
+#include "common/geometry/ring.hpp"
 #include "tools/survey/mesh/void_mesh.hpp"
 #include "tools/survey/water/flood.hpp"
 #include "tools/survey/water/mine_water.hpp"
@@ -93,19 +94,6 @@ void add_water(const MineSurvey& survey, const SurveyTruth& truth, BodyErrors& e
     }
     errors.flooded_m.add((volume_m3.value - true_m3) / true_m2, volume_m3.sd / true_m2);
   }
-}
-
-/// Even-odd rule.
-bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d& a = ring[i];
-    const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    const double x = a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y());
-    if (p.x() < x) inside = !inside;
-  }
-  return inside;
 }
 
 /// A point in a ring, in the middle of the widest part at half of its height.

@@ -186,9 +186,11 @@ struct ControlOptions {
 /// A mine's own grid: turned, shifted and raised.
 const LevelPose kGridWorld{{3500.0, 8200.0, 0.7}, 231.5};
 
-/// Control points at the robot during 3D scans that are spread over the mission.
-std::string control_text(const SurveyInput& input, const ControlOptions& options) {
-  std::mt19937 random(1);
+/// Control points at the robot during 3D scans that are spread over the mission. `seed`: of their
+/// errors.
+std::string control_text(const SurveyInput& input, const ControlOptions& options,
+                         unsigned seed) {
+  std::mt19937 random(seed);
   std::normal_distribution<double> error(0.0, options.sd_m);
   std::string text = "name,easting_m,northing_m,elevation_m,place,sd_m\n";
   const std::size_t scans = input.clouds().size();
@@ -206,7 +208,9 @@ std::string control_text(const SurveyInput& input, const ControlOptions& options
   return text;
 }
 
-Row score(const std::filesystem::path& mission, const ControlOptions& control, bool verbose) {
+/// `number`: of the mission in the table.
+Row score(const std::filesystem::path& mission, unsigned number, const ControlOptions& control,
+          bool verbose) {
   SurveyOptions options;
   options.mission = {mission};
   const test::ScratchFolder scratch;
@@ -214,7 +218,7 @@ Row score(const std::filesystem::path& mission, const ControlOptions& control, b
   if (control.points > 0) {
     options.control = scratch / "control.csv";
     options.crs = "local";
-    write_text_file(control_text(SurveyInput(mission_logs({mission})), control), options.control);
+    write_text_file(control_text(SurveyInput(mission_logs({mission})), control, number), options.control);
     T_grid_world = kGridWorld;
   }
   const MineSurvey survey(options);
@@ -255,8 +259,8 @@ void print_tables(const std::vector<std::filesystem::path>& missions, const Cont
       "maps in plan, by axis (m) | volume (%) |");
   std::vector<std::pair<std::string, BodyErrors>> bodies;
   Row sum;
-  for (const std::filesystem::path& mission : missions) {
-    const Row row = score(mission, control, verbose);
+  for (unsigned number = 1; const std::filesystem::path& mission : missions) {
+    const Row row = score(mission, number++, control, verbose);
     print_row(mission.filename().string(), row);
     sum.add(row);
     bodies.emplace_back(mission.filename().string(), row.bodies);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/order_statistics.hpp"
+#include "common/geometry/ring.hpp"
 #include "common/grid/distance_transform.hpp"
 
 namespace adit {
@@ -21,18 +22,6 @@ constexpr double kPillarMinM2 = 1.0;
 constexpr double kPillarWidthMinM = 0.3;  // narrower ones are a wall or an obstacle
 constexpr double kWallSdM = 0.01;         // of the place of a wall, common to all around
 constexpr double kBesideM = 0.6;          // of an outline, for the height of the workings there
-
-/// Whether a point is within a closed ring, by the crossings to its right.
-bool is_within(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring) {
-  bool within = false;
-  for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-    const Eigen::Vector2d& a = ring[i];
-    const Eigen::Vector2d& b = ring[i + 1];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) within = !within;
-  }
-  return within;
-}
 
 /// The diameter of the largest circle in a ring; `to_line_m`: distance of each cell from the
 /// nearest outline.
@@ -44,7 +33,7 @@ double inscribed_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>&
   for (int y = box.from.y(); y < box.to.y(); ++y) {
     for (int x = box.from.x(); x < box.to.x(); ++x) {
       const double distance_m = to_line_m.get({x, y}, 0.0F);
-      if (distance_m > radius_m && is_within(centre_of({x, y}, cell_m), ring))
+      if (distance_m > radius_m && encloses(ring, centre_of({x, y}, cell_m)))
         radius_m = distance_m;
     }
   }

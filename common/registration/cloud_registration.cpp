@@ -147,8 +147,14 @@ Constrained constrained(const Linearised& at, double lever_arm,
 
 CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
                                   const CloudPrior& prior, const CloudRegistrationParams& params) {
+  return register_clouds(source, target, prior, params, prior.T_target_source);
+}
+
+CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
+                                  const CloudPrior& prior, const CloudRegistrationParams& params,
+                                  const Eigen::Isometry3d& T_target_source_start) {
   CloudRegistration result;
-  result.T_target_source = prior.T_target_source;
+  result.T_target_source = T_target_source_start;
   result.lever_arm_m = lever_arm_m(source.fine);
   // A weak prior in all directions makes the equations solvable: the pose does not move where
   // nothing constrains it.
@@ -183,6 +189,7 @@ CloudRegistration register_clouds(const RegistrationCloud& source, const Registr
   }
   result.degenerate = std::move(found.degenerate);
   result.information = found.information;
+  result.residuals = at.residuals;
   result.inliers = at.inliers;
   const auto points = static_cast<double>(std::max<std::size_t>(1, source.fine.points().size()));
   result.overlap = at.corresponding / points;

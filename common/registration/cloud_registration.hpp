@@ -75,6 +75,7 @@ struct CloudRegistration {
   double rms_residual_m = 0.0;  ///< of the inliers, along the normals
   double overlap = 0.0;         ///< share of the points of source with a correspondence
   double inlier_share = 0.0;    ///< of these, those within three standard deviations
+  int residuals = 0;            ///< points of both scans with a correspondence
   int inliers = 0;
   int iterations = 0;
   bool converged = false;
@@ -90,7 +91,11 @@ struct CloudRegistration {
 /// from nearby the other, 8 m before it, has points too sparse for surfaces. A direction is
 /// degenerate if its information does not exceed what the uncertainty of the normals alone
 /// produces, or leaves a large standard deviation, as in 2D (`split_degenerate`): the axis of a
-/// smooth tunnel.
+/// smooth tunnel. `T_target_source_start`: where it begins.
+CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
+                                  const CloudPrior& prior, const CloudRegistrationParams& params,
+                                  const Eigen::Isometry3d& T_target_source_start);
+/// Begins at the prior.
 CloudRegistration register_clouds(const RegistrationCloud& source, const RegistrationCloud& target,
                                   const CloudPrior& prior, const CloudRegistrationParams& params);
 

@@ -285,9 +285,12 @@ void Mapping::associate(MapUpdate& update) {
 /// loop closures.
 void Mapping::associate_clouds(MapUpdate& update) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  const std::vector<MatchedClouds> matches = clouds_.matches(update.map.id, [&](int i) {
-    return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
-  });
+  const std::vector<MatchedClouds> matches = clouds_.matches(
+      update.map.id,
+      [&](int i) {
+        return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
+      },
+      [&](int older) { return association_.trial().covariance(older, update.map.id); });
   if (matches.empty()) return;
   std::vector<LoopClosure> loop_closures;
   for (const MatchedClouds& matched : matches) loop_closures.push_back(matched.loop_closure);

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "common/geometry/attitude.hpp"
@@ -17,6 +19,8 @@ namespace {
 
 constexpr double kUnconstrainedSd = 10.0;  // [m, rad] of a direction that the match leaves open
 constexpr double kLikelihoodMax = 50.0;
+constexpr double kRivalLikelihood = 20.0;  // less than the best place; a rival is an alternative
+constexpr std::size_t kAlternativesMax = 4;
 
 /// Of (x, y, θ), where z and the rotations about x and y are those of the prior within its
 /// information (Schur complement).
@@ -66,34 +70,35 @@ void CloudMatching::discard(int map) {
 }
 
 std::vector<MatchedClouds> CloudMatching::matches(
-    int map, const std::function<PlacedLocalMap(int map)>& place_of) const {
-  struct Pair {
-    double distance_m;
-    const Scan* older;
-    Pose2 T_older_newer;
-    double rise_m;
-  };
+    int map, const std::function<PlacedLocalMap(int map)>& place_of,
+    const RelativeCovariance& covariance_of) const {
   std::vector<MatchedClouds> found;
   for (const Scan& newer : scans_) {
     if (newer.place.map != map) continue;
     const PlacedLocalMap newer_map = place_of(map);
     const Pose2 T_map_newer = newer_map.T_map_local * newer.T_local_level;
+    const Eigen::Matrix3d to_level = adjoint(newer.T_local_level.inverse());
     std::vector<Pair> pairs;
     for (const Scan& older : scans_) {
       if (older.place.map >= map || older.session != newer.session) continue;
       const PlacedLocalMap older_map = place_of(older.place.map);
       const Pose2 T_older_newer = between(older_map.T_map_local * older.T_local_level, T_map_newer);
-      const double distance_m = T_older_newer.translation().norm();
-      if (distance_m > params_.distance_max_m) continue;
-      pairs.push_back({distance_m, &older, T_older_newer,
-                       newer_map.z_m + newer.place.z_m - older_map.z_m - older.place.z_m});
+      if (T_older_newer.translation().norm() > params_.distance_max_m) continue;
+      pairs.push_back({&newer, &older, T_older_newer,
+                       newer_map.z_m + newer.place.z_m - older_map.z_m - older.place.z_m,
+                       Eigen::Matrix3d::Zero()});
     }
-    std::ranges::stable_sort(pairs, {}, &Pair::distance_m);
+    std::ranges::stable_sort(pairs, {}, [](const Pair& pair) -> double {
+      return pair.T_older_newer.translation().norm();
+    });
     if (pairs.size() > static_cast<std::size_t>(params_.matched_max)) {
       pairs.resize(static_cast<std::size_t>(params_.matched_max));
     }
-    for (const Pair& pair : pairs) {
-      auto matched = match(newer, *pair.older, pair.T_older_newer, pair.rise_m);
+    for (Pair& pair : pairs) {
+      if (covariance_of) {
+        pair.covariance = to_level * covariance_of(pair.older->place.map) * to_level.transpose();
+      }
+      auto matched = match(pair);
       if (matched) found.push_back(std::move(*matched));
     }
   }
@@ -128,48 +133,117 @@ Eigen::Matrix3d CloudMatching::beside_displacement(const Pose2& T_older_newer) c
   return covariance;
 }
 
-std::optional<MatchedClouds> CloudMatching::match(const Scan& newer, const Scan& older,
-                                                  const Pose2& T_older_newer, double rise_m) const {
+/// Along each axis in plan the standard deviation is at least that of `params`.
+CloudPrior CloudMatching::prior_of(const Pair& pair) const {
   CloudPrior prior;
-  prior.T_target_source = in_space(T_older_newer, rise_m, Attitude{});
+  prior.T_target_source = in_space(pair.T_older_newer, pair.rise_m, Attitude{});
   const double sd_m =
-      params_.prior_sd_m + params_.prior_sd_per_m * T_older_newer.translation().norm();
+      params_.prior_sd_m + params_.prior_sd_per_m * pair.T_older_newer.translation().norm();
   Vector6d sd;
   sd << sd_m, sd_m, params_.height_sd_m, params_.level_sd_rad, params_.level_sd_rad,
       params_.prior_sd_rad;
   prior.information = sd.cwiseAbs2().cwiseInverse().asDiagonal();
-  const CloudRegistration matched =
-      register_clouds(newer.surfaces, older.surfaces, prior, params_.registration);
-  if (!matched.accepted) return std::nullopt;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(pair.covariance.topLeftCorner<2, 2>()));
+  const Eigen::Vector2d variances = axes.eigenvalues().cwiseMax(sd_m * sd_m);
+  prior.information.topLeftCorner<2, 2>() =
+      axes.eigenvectors() * variances.cwiseInverse().asDiagonal() * axes.eigenvectors().transpose();
+  return prior;
+}
+
+/// Along the axis in plan of which the prior is least sure.
+std::vector<Eigen::Isometry3d> CloudMatching::starts(const Pair& pair,
+                                                     const CloudPrior& prior) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(pair.covariance.topLeftCorner<2, 2>()));
+  const double reach_m =
+      std::min(params_.start_max_m, params_.start_sds * std::sqrt(axes.eigenvalues().y()));
+  const int steps = std::sqrt(axes.eigenvalues().y()) > params_.start_step_m
+                        ? static_cast<int>(std::ceil(reach_m / params_.start_step_m))
+                        : 0;
+  std::vector<Eigen::Isometry3d> starts{prior.T_target_source};
+  for (int i = 1; i <= steps; ++i) {
+    for (const double direction : {-1.0, 1.0}) {
+      Vector6d offset = Vector6d::Zero();
+      offset.head<2>() = direction * i * params_.start_step_m * axes.eigenvectors().col(1);
+      starts.push_back(prior.T_target_source * isometry_of(offset));
+    }
+  }
+  return starts;
+}
+
+/// Those that were accepted at different places, the best first: by the share of inliers, as scans
+/// have more in common the nearer they seem to be.
+std::vector<CloudRegistration> CloudMatching::registrations(const Pair& pair,
+                                                            const CloudPrior& prior) const {
+  std::vector<CloudRegistration> found;
+  for (const Eigen::Isometry3d& start : starts(pair, prior)) {
+    CloudRegistration matched = register_clouds(pair.newer->surfaces, pair.older->surfaces, prior,
+                                                params_.registration, start);
+    if (matched.accepted) found.push_back(std::move(matched));
+  }
+  std::ranges::stable_sort(found, std::greater{}, &CloudRegistration::inlier_share);
+  std::vector<CloudRegistration> places;
+  for (CloudRegistration& matched : found) {
+    const bool known = std::ranges::any_of(places, [&](const CloudRegistration& other) {
+      const Eigen::Vector3d apart =
+          other.T_target_source.translation() - matched.T_target_source.translation();
+      return apart.head<2>().norm() < 0.5 * params_.start_step_m;
+    });
+    if (!known) places.push_back(std::move(matched));
+  }
+  return places;
+}
+
+LoopClosureAlternative CloudMatching::alternative(const Pair& pair, const CloudPrior& prior,
+                                                  const CloudRegistration& matched) const {
   const Pose2 T_levels = in_plan(matched.T_target_source);
   const auto placed = [&](const Scan& scan) {
     const double variance = params_.place_m_per_sqrt_m * params_.place_m_per_sqrt_m *
                             scan.T_local_level.translation().norm();
     return Eigen::Vector3d(variance, variance, 0.0).asDiagonal().toDenseMatrix();
   };
-  const UncertainPose T_older_level{older.T_local_level, placed(older)};
-  const UncertainPose T_level_newer{newer.T_local_level.inverse(), placed(newer)};
-  const double share = look_at_each_other(newer, older, T_older_newer)
+  const UncertainPose T_older_level{pair.older->T_local_level, placed(*pair.older)};
+  const UncertainPose T_level_newer{pair.newer->T_local_level.inverse(), placed(*pair.newer)};
+  const double share = look_at_each_other(*pair.newer, *pair.older, pair.T_older_newer)
                            ? params_.facing_variance_share
                            : params_.displacement_variance_share;
   Eigen::Matrix3d covariance =
       share * planar_information(matched.information, prior.information).inverse();
   covariance += beside_displacement(T_levels);
-  const UncertainPose between_levels{T_levels, covariance};
-  const UncertainPose between_maps = T_older_level * between_levels * T_level_newer;
+  const UncertainPose between_maps =
+      T_older_level * UncertainPose{T_levels, covariance} * T_level_newer;
   LoopClosureAlternative alternative;
-  alternative.older_map = older.place.map;
+  alternative.older_map = pair.older->place.map;
   alternative.T_older_newer = between_maps.T_from_to;
   alternative.information = between_maps.covariance.inverse();
-  alternative.log_likelihood =
-      std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement);
+  return alternative;
+}
+
+std::optional<MatchedClouds> CloudMatching::match(const Pair& pair) const {
+  const CloudPrior prior = prior_of(pair);
+  const std::vector<CloudRegistration> found = registrations(pair, prior);
+  if (found.empty()) return std::nullopt;
   MatchedClouds result;
-  result.loop_closure.newer_map = newer.place.map;
-  result.loop_closure.alternatives.push_back(alternative);
+  result.loop_closure.newer_map = pair.newer->place.map;
+  std::vector<LoopClosureAlternative>& alternatives = result.loop_closure.alternatives;
+  const CloudRegistration& matched = found.front();
+  for (const CloudRegistration& other : found) {
+    alternatives.push_back(alternative(pair, prior, other));
+    const double outliers = (matched.inlier_share - other.inlier_share) * matched.residuals;
+    alternatives.back().log_likelihood =
+        std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement) -
+        outliers / params_.registration.patches_per_measurement;
+  }
+  std::erase_if(alternatives, [&](const LoopClosureAlternative& place) {
+    return place.log_likelihood < alternatives.front().log_likelihood - kRivalLikelihood;
+  });
+  if (alternatives.size() > kAlternativesMax) alternatives.resize(kAlternativesMax);
+  const Pose2 T_levels = in_plan(matched.T_target_source);
   CloudMatch& match = result.match;
-  match.older = older.place;
-  match.newer = newer.place;
-  match.T_older_newer = alternative.T_older_newer;
+  match.older = pair.older->place;
+  match.newer = pair.newer->place;
+  match.T_older_newer = alternatives.front().T_older_newer;
   match.turn_rad = T_levels.theta;
   match.lever_m = T_levels.translation();
   const Matrix6d covariance_6d = (matched.information + prior.information).inverse();

@@ -29,10 +29,15 @@ struct CloudMatchingParams {
   double distance_max_m = 12.0;  ///< between two 3D scans that are matched
   int matched_max = 3;           ///< earlier scans that one is matched with, the nearest first
   int stored_max = 100;          ///< 3D scans in memory, about 1.4 MB each; 0: none are matched
-  double prior_sd_m = 0.03;      ///< of the displacement before the match,
+  double prior_sd_m = 0.03;      ///< of the displacement before the match at least,
   double prior_sd_per_m = 0.03;  ///< and its growth with the distance
-  double prior_sd_rad = 0.005;   ///< of its turn
-  double height_sd_m = 0.1;      ///< of its rise
+  /// A match ends at the nearest place that fits somewhat. Where the place before it is less sure
+  /// than this, it begins at several: from one to the next,
+  double start_step_m = 0.15;
+  double start_sds = 2.5;       ///< to so many standard deviations to either side,
+  double start_max_m = 3.0;     ///< and no farther
+  double prior_sd_rad = 0.005;  ///< of its turn
+  double height_sd_m = 0.1;     ///< of its rise
   /// Of the attitude from 3D scan to 3D scan, without its constant error.
   double attitude_sd_rad = 0.0005;
   /// Shares of the variance of the registration, in which errors agree over many patches: of the
@@ -63,6 +68,9 @@ struct CloudMatchingParams {
     v("stored_max", stored_max, within(0, 10000));
     v("prior_sd_m", prior_sd_m, within(1e-3, 10.0));
     v("prior_sd_per_m", prior_sd_per_m, within(0.0, 1.0));
+    v("start_step_m", start_step_m, within(0.01, 10.0));
+    v("start_sds", start_sds, within(0.0, 10.0));
+    v("start_max_m", start_max_m, within(0.0, 20.0));
     v("prior_sd_rad", prior_sd_rad, within(1e-4, 1.0));
     v("height_sd_m", height_sd_m, within(1e-3, 10.0));
     v("attitude_sd_rad", attitude_sd_rad, within(1e-6, 1.0));
@@ -93,7 +101,8 @@ struct MatchedClouds {
 
 /// Matches 3D scans with each other. Floor and roof show the motion along a tunnel whose walls are
 /// smooth, where planar scans leave it to the wheels: between two scans 8 m apart wheels erred by
-/// up to 0.24 m, matches of 3D scans by 0.01 m.
+/// up to 0.24 m, matches of 3D scans by 0.01 m. Walls that repeat fit at several places, each of
+/// which is an alternative.
 class CloudMatching {
  public:
   explicit CloudMatching(const CloudMatchingParams& params) : params_(params) {}
@@ -103,9 +112,14 @@ class CloudMatching {
   /// A local map was discarded, and the one after it has its id.
   void discard(int map);
 
+  /// Covariance of the pose of a local map in an older one: of (x, y, θ) in the frame of the newer.
+  using RelativeCovariance = std::function<Eigen::Matrix3d(int older)>;
+
   /// Matches the 3D scans of a local map with earlier ones of other local maps of the same session.
+  /// Without `covariance_of` the places are as sure as the parameters say.
   [[nodiscard]] std::vector<MatchedClouds> matches(
-      int map, const std::function<PlacedLocalMap(int map)>& place_of) const;
+      int map, const std::function<PlacedLocalMap(int map)>& place_of,
+      const RelativeCovariance& covariance_of = {}) const;
   /// Where the 3D scans of a local map were taken.
   [[nodiscard]] std::vector<CloudPlace> places(int map) const;
 
@@ -120,8 +134,22 @@ class CloudMatching {
   [[nodiscard]] bool look_at_each_other(const Scan& newer, const Scan& older,
                                         const Pose2& T_older_newer) const;
   [[nodiscard]] Eigen::Matrix3d beside_displacement(const Pose2& T_older_newer) const;
-  [[nodiscard]] std::optional<MatchedClouds> match(const Scan& newer, const Scan& older,
-                                                   const Pose2& T_older_newer, double rise_m) const;
+  /// Two 3D scans, with the pose of the newer level frame in the older one before the match.
+  struct Pair {
+    const Scan* newer;
+    const Scan* older;
+    Pose2 T_older_newer;
+    double rise_m;
+    Eigen::Matrix3d covariance;  ///< of (x, y, θ) in the newer
+  };
+  [[nodiscard]] CloudPrior prior_of(const Pair& pair) const;
+  [[nodiscard]] std::vector<Eigen::Isometry3d> starts(const Pair& pair,
+                                                      const CloudPrior& prior) const;
+  [[nodiscard]] std::vector<CloudRegistration> registrations(const Pair& pair,
+                                                             const CloudPrior& prior) const;
+  [[nodiscard]] LoopClosureAlternative alternative(const Pair& pair, const CloudPrior& prior,
+                                                   const CloudRegistration& matched) const;
+  [[nodiscard]] std::optional<MatchedClouds> match(const Pair& pair) const;
 
   CloudMatchingParams params_;
   std::deque<Scan> scans_;  ///< oldest first

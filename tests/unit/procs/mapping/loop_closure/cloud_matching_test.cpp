@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/loop_closure/cloud_matching.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -163,6 +164,49 @@ TEST(CloudMatching, IsUnsureOfTheDistanceOfScansThatLookAtEachOther) {
     const double as_others_m = sd_along_m(turn_rad, params.displacement_variance_share);
     const double sd_m = sd_along_m(turn_rad, params.facing_variance_share);
     EXPECT_EQ(sd_m > 2.0 * as_others_m, turn_rad > 2.0) << turn_rad;
+  }
+}
+
+/// The wheels slipped by more than the basin of one alignment is wide, and the map says how far
+/// they may have.
+TEST(CloudMatching, FindsADisplacementThatTheWheelsMissedByFar) {
+  for (const double off_m : {-0.9, -0.6, 0.6, 0.9}) {
+    TwoScans scans(rough_tunnel);
+    scans.placed[1].T_map_local.x = kApartM + off_m;
+    const Eigen::Matrix3d covariance = Eigen::Vector3d(0.16, 1e-4, 1e-5).asDiagonal();
+    const auto matches = scans.matching.matches(
+        1, [&](int i) { return scans.placed[static_cast<std::size_t>(i)]; },
+        [&](int) { return covariance; });
+    ASSERT_EQ(matches.size(), 1U) << off_m;
+    const LoopClosureAlternative& found = matches[0].loop_closure.alternatives.front();
+    EXPECT_NEAR(found.T_older_newer.x, kApartM, 0.03) << off_m;
+  }
+}
+
+/// Ribs at equal distances: no place is better than the next one.
+TEST(CloudMatching, OffersEachPlaceWhereWallsThatRepeatFit) {
+  constexpr double kPeriodM = 0.8;
+  const Rock ribs = [](const Eigen::Vector3d& p) -> double {
+    return 0.8 * (smooth_tunnel(p) + 0.05 * std::sin(2.0 * M_PI * p.x() / kPeriodM));
+  };
+  TwoScans scans(ribs);
+  scans.placed[1].T_map_local.x = kApartM + 0.4 * kPeriodM;
+  const Eigen::Matrix3d covariance = Eigen::Vector3d(0.25, 1e-4, 1e-5).asDiagonal();
+  const auto matches = scans.matching.matches(
+      1, [&](int i) { return scans.placed[static_cast<std::size_t>(i)]; },
+      [&](int) { return covariance; });
+  ASSERT_EQ(matches.size(), 1U);
+  const std::vector<LoopClosureAlternative>& places = matches[0].loop_closure.alternatives;
+  const auto has = [&](double x_m) {
+    return std::ranges::any_of(places, [&](const LoopClosureAlternative& place) {
+      return std::abs(place.T_older_newer.x - x_m) < 0.05;
+    });
+  };
+  EXPECT_TRUE(has(kApartM));
+  EXPECT_TRUE(has(kApartM + kPeriodM));
+  for (const LoopClosureAlternative& place : places) {
+    const double periods = (place.T_older_newer.x - kApartM) / kPeriodM;
+    EXPECT_NEAR(periods, std::round(periods), 0.1);
   }
 }
 

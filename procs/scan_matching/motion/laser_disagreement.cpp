@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "common/sensing/seconds.hpp"
 
@@ -15,6 +16,24 @@ namespace {
 constexpr double kStaleMemories = 3.0;  // a laser that matched nothing for so long is no witness
 
 }  // namespace
+
+/// Where the prediction knows more than the match, the pose follows it, and the laser would seem to
+/// contradict another one that measures the error of the wheels.
+Eigen::Vector2d LaserDisagreement::witnessed(LaserId laser, const Eigen::Vector2d& correction_m,
+                                             const Eigen::Matrix2d& match,
+                                             const Eigen::Matrix2d& prior) const {
+  const auto other =
+      std::ranges::find_if(means_, [&](const auto& mean) -> bool { return mean.first != laser; });
+  if (other == means_.end()) return correction_m;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> shares(match, prior);
+  const Eigen::Matrix2d& axes = shares.eigenvectors();  // axesᵀ prior axes = 1
+  Eigen::Vector2d along = axes.transpose() * prior * correction_m;
+  const Eigen::Vector2d others = axes.transpose() * prior * other->second.correction_m;
+  for (int i = 0; i < 2; ++i) {
+    if (shares.eigenvalues()[i] < 1.0) along[i] = others[i];
+  }
+  return axes * along;
+}
 
 Eigen::Vector2d LaserDisagreement::error_m(std::int64_t utime) const {
   const auto front = means_.find(LaserId::kFront);
@@ -28,12 +47,15 @@ Eigen::Vector2d LaserDisagreement::error_m(std::int64_t utime) const {
 Pose2 LaserDisagreement::fuse(LaserId laser, std::int64_t utime, const MotionEstimate& expected,
                               const Pose2& T_odom_match, Eigen::Matrix3d& information) {
   if (!expected.from_odometry) return T_odom_match;
+  const Eigen::Matrix3d& prior = expected.prior.information;
   const Eigen::Vector3d correction = between(expected.prior.T_odom_body, T_odom_match).vector();
   const auto [entry, is_new] = means_.try_emplace(laser);
   Mean& mean = entry->second;
   const double dt_s = is_new ? 0.0 : seconds(utime - mean.utime);
   mean.correction_m +=
       (1.0 - std::exp(-dt_s / params_.memory_s)) * (correction.head<2>() - mean.correction_m);
+  mean.correction_m = witnessed(laser, mean.correction_m, information.topLeftCorner<2, 2>(),
+                                prior.topLeftCorner<2, 2>());
   mean.utime = utime;
 
   // It lasts for the scans of the memory and adds up over them, where noise averages.
@@ -44,7 +66,6 @@ Pose2 LaserDisagreement::fuse(LaserId laser, std::int64_t utime, const MotionEst
   const Eigen::Vector3d e(error.x(), error.y(), 0.0);
   const Eigen::Vector3d Ie = information * e;
   const Eigen::Matrix3d reduction = Ie * e.transpose() / (1.0 + e.dot(Ie));
-  const Eigen::Matrix3d& prior = expected.prior.information;
   const Eigen::Vector3d pull = (information + prior) * correction;
   information -= reduction * information;
   const Eigen::Vector3d fused = (information + prior).ldlt().solve(pull - reduction * pull);

@@ -27,7 +27,8 @@ struct LaserDisagreementParams {
 /// with the wheels accordingly. Where walls lean, one laser finds the body ahead of what the wheels
 /// predict and the other behind, scan after scan, each with a standard deviation of millimetres:
 /// the pose drifts to whichever constrains it more. What both lasers correct alike is an
-/// error of the wheels; half of what they correct differently is an error of the matches.
+/// error of the wheels; half of what they correct differently is an error of the matches. A laser
+/// is no witness along an axis on which its match knows less than the prediction.
 class LaserDisagreement {
  public:
   explicit LaserDisagreement(const LaserDisagreementParams& params) : params_(params) {}
@@ -43,6 +44,11 @@ class LaserDisagreement {
   [[nodiscard]] Eigen::Vector2d error_m(std::int64_t utime) const;
 
  private:
+  /// The correction, or that of the other laser along axes on which this one is no witness.
+  [[nodiscard]] Eigen::Vector2d witnessed(LaserId laser, const Eigen::Vector2d& correction_m,
+                                          const Eigen::Matrix2d& match,
+                                          const Eigen::Matrix2d& prior) const;
+
   struct Mean {
     std::int64_t utime = 0;
     Eigen::Vector2d correction_m = Eigen::Vector2d::Zero();

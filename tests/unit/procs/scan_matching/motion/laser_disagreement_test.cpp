@@ -54,6 +54,28 @@ TEST(LaserDisagreement, OneLaserHasNoWitness) {
   EXPECT_EQ(drift.fused_m, drift.plain_m);
 }
 
+/// The front laser measures that the wheels spin. The rear one sees smooth walls only: its pose is
+/// the prediction.
+TEST(LaserDisagreement, ALaserWithoutInformationAlongAnAxisIsNoWitness) {
+  constexpr double kSpinM = -0.006;
+  LaserDisagreement disagreement{LaserDisagreementParams{}};
+  MotionEstimate expected;
+  expected.from_odometry = true;
+  expected.prior.information.diagonal().setConstant(1.0 / (kWheelsSd * kWheelsSd));
+  for (int i = 0; i < 300; ++i) {
+    const auto utime = static_cast<std::int64_t>(1e6 * kPeriodS * i);
+    const bool is_front = i % 2 == 0;
+    const Pose2 T_odom_match{is_front ? kSpinM : 0.0, 0.0, 0.0};
+    Eigen::Matrix3d information = Eigen::Matrix3d::Identity() / (kMatchSd * kMatchSd);
+    if (!is_front) information(0, 0) = 0.0;
+    const Pose2 fused = disagreement.fuse(is_front ? LaserId::kFront : LaserId::kRear, utime,
+                                          expected, T_odom_match, information);
+    if (i < 150) continue;  // until both have been averaged
+    EXPECT_NEAR(fused.x, T_odom_match.x, 0.1 * std::abs(kSpinM));
+  }
+  EXPECT_NEAR(disagreement.error_m(4'000'000).norm(), 0.0, 0.05 * std::abs(kSpinM));
+}
+
 TEST(LaserDisagreement, InformationLosesTheSystematicError) {
   Drift drift(0.01, -0.01, 300);
   MotionEstimate expected;

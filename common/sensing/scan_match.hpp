@@ -61,6 +61,8 @@ struct ScanMatch {
   double rms_residual_m = 0.0;       ///< of the inliers
   std::vector<DegenerateDirection> degenerate;
   double lever_arm_m = 1.0;  ///< converts an angle to a length in `degenerate`
+  /// Standard deviation of the scale of the wheels, where they replace the scan; 0 without wheels.
+  double wheels_scale_sd = 0.0;
   std::int32_t iterations = 0;
   bool searched = false;  ///< whether the correlative search ran
   std::int32_t points = 0;

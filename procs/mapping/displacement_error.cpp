@@ -20,7 +20,8 @@ bool is_filled_by_wheels(const DegenerateDirection& direction) {
   return direction.fill == DegenerateDirection::Fill::kOdometry && !mostly_turn;
 }
 
-constexpr double kMatchSdM = 0.01;  // of the motion between two matches
+constexpr double kMatchSdM = 0.01;    // of the motion between two matches
+constexpr double kFilledShare = 0.8;  // of a displacement, for a stretch that the wheels measured
 constexpr double kExplained = 1.0;  // mean of the squared difference along the direction of a slip
 
 /// The farther of two.
@@ -47,6 +48,12 @@ Eigen::Matrix3d DisplacementError::ErrorCovariance::sum() const {
 }
 
 void DisplacementError::reset() {
+  const bool measured_by_wheels = path_m_ > 0.0 && filled_m_ >= kFilledShare * path_m_;
+  earlier_scale_error_ += scale_error_;
+  if (!measured_by_wheels) earlier_scale_error_.setZero();
+  scale_error_.setZero();
+  path_m_ = 0.0;
+  filled_m_ = 0.0;
   accumulated_ = {};
   unobserved_ = {};
   last_step_ = {};
@@ -61,6 +68,9 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
   const Eigen::Matrix3d Ad = adjoint(T_last_body.inverse());
   accumulated_.move(Ad);
   unobserved_.move(Ad);
+  scale_error_ = Ad * scale_error_;
+  earlier_scale_error_ = Ad * earlier_scale_error_;
+  path_m_ += T_last_body.translation().norm();
   disagreement_ = Ad * disagreement_;
   slip_ = Ad * slip_;
   largest_slip_ = Ad * largest_slip_;
@@ -72,7 +82,7 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
     end_unobserved_stretch();
     return;
   }
-  accumulated_.add(wheels_filled_error(T_last_body, match));
+  add_filled(T_last_body, match);
   unobserved_.add(unobserved_error(match, wheels_step));
   unobserved_m_ += T_last_body.translation().norm();
   unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
@@ -102,7 +112,7 @@ void DisplacementError::compare_with_wheels(const Pose2& T_last_body, const Scan
     Pose2 level = *wheels_step;
     if (match.attitude) level.x *= std::cos(match.attitude->pitch_rad);
     comparison_.difference += between(level, T_last_body).vector();
-    comparison_.wheels.add(wheels_error(level));
+    comparison_.wheels.add(wheels_error(level, scale_sd(match)));
   }
   if (seconds(match.utime - comparison_.begin_utime) < params_.compared_s) return;
   slip_ += comparison_.unexplained();
@@ -110,14 +120,19 @@ void DisplacementError::compare_with_wheels(const Pose2& T_last_body, const Scan
   comparison_ = {};
 }
 
-DisplacementError::ErrorCovariance DisplacementError::wheels_error(const Pose2& step) const {
+double DisplacementError::scale_sd(const ScanMatch& match) const {
+  return std::max(params_.wheels_scale_sd, match.wheels_scale_sd);
+}
+
+DisplacementError::ErrorCovariance DisplacementError::wheels_error(const Pose2& step,
+                                                                   double scale_sd) const {
   const double length_m = step.translation().norm();
   const double walk = square(params_.wheels_m_per_sqrt_m) * length_m;
   ErrorCovariance error;
   error.independent.diagonal() << walk, walk,
       square(params_.wheels_rad_per_sqrt_m) * length_m +
           square(params_.wheels_rad_per_rad * step.theta);
-  error.common_root.col(0) = params_.wheels_scale_sd * Eigen::Vector3d(step.x, step.y, 0.0);
+  error.common_root.col(0) = scale_sd * Eigen::Vector3d(step.x, step.y, 0.0);
   return error;
 }
 
@@ -147,7 +162,7 @@ void DisplacementError::end_unobserved_stretch() {
 std::optional<DisplacementError::ErrorCovariance> DisplacementError::carried_error(
     const ScanMatch& match, const std::optional<Pose2>& wheels_step) const {
   if (!wheels_step) return std::nullopt;
-  ErrorCovariance error = wheels_error(*wheels_step);
+  ErrorCovariance error = wheels_error(*wheels_step, scale_sd(match));
   double& heading = error.independent(2, 2);
   heading = std::min(heading, match.covariance(2, 2));
   // Of a heading that walks along a straight step: the variance across it, L²/3.
@@ -181,22 +196,40 @@ DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
   return part;
 }
 
-DisplacementError::ErrorCovariance DisplacementError::wheels_filled_error(
-    const Pose2& T_last_body, const ScanMatch& match) const {
-  ErrorCovariance part;
-  if (match.status != ScanMatch::Status::kMatched) return part;
-  const Eigen::Vector2d step = T_last_body.translation();
+std::vector<DisplacementError::Filled> DisplacementError::filled_by_wheels(const Pose2& T_last_body,
+                                                                           const ScanMatch& match) {
+  std::vector<Filled> filled;
+  if (match.status != ScanMatch::Status::kMatched) return filled;
   for (const auto& direction : match.degenerate) {
     if (!is_filled_by_wheels(direction)) continue;
     const Eigen::Vector3d& v = direction.direction;
-    const Eigen::Vector3d u = v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, match.lever_arm_m));
-    const double scale_m = params_.wheels_scale_sd * v.head<2>().dot(step);
-    ErrorCovariance error;
-    error.independent = square(params_.wheels_m_per_sqrt_m) * step.norm() * u * u.transpose();
-    error.common_root = scale_m * u * Eigen::RowVector3d::UnitX();
-    part.add(error);
+    filled.push_back({v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, match.lever_arm_m)),
+                      v.head<2>().dot(T_last_body.translation())});
   }
-  return part;
+  return filled;
+}
+
+void DisplacementError::add_filled(const Pose2& T_last_body, const ScanMatch& match) {
+  for (const Filled& filled : filled_by_wheels(T_last_body, match)) {
+    const Eigen::Vector3d& u = filled.direction;
+    const Eigen::Vector3d scale_error = scale_sd(match) * filled.length_m * u;
+    ErrorCovariance error;
+    error.independent =
+        square(params_.wheels_m_per_sqrt_m) * T_last_body.translation().norm() * u * u.transpose();
+    error.common_root = scale_error * Eigen::RowVector3d::UnitX();
+    accumulated_.add(error);
+    scale_error_ += scale_error;
+    filled_m_ += std::abs(filled.length_m);
+  }
+}
+
+/// What the error of scale adds because it is that of the stretch before, too: of the square of the
+/// sum of both, the mixed term. Only where it adds up, not in reverse.
+Eigen::Matrix3d DisplacementError::earlier_scale_covariance() const {
+  const double squared = scale_error_.squaredNorm();
+  if (!(squared > 0.0)) return Eigen::Matrix3d::Zero();
+  const double mixed = std::max(0.0, 2.0 * earlier_scale_error_.dot(scale_error_) / squared);
+  return mixed * scale_error_ * scale_error_.transpose();
 }
 
 DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
@@ -229,8 +262,9 @@ Eigen::Matrix3d DisplacementError::covariance() const {
   ErrorCovariance all = accumulated_;
   all.add(unobserved_);
   const Eigen::Vector3d slip = farther(slip_ + comparison_.unexplained(), largest_slip_);
-  Eigen::Matrix3d covariance =
-      all.sum() + 0.25 * disagreement_ * disagreement_.transpose() + 0.25 * slip * slip.transpose();
+  Eigen::Matrix3d covariance = all.sum() + earlier_scale_covariance() +
+                               0.25 * disagreement_ * disagreement_.transpose() +
+                               0.25 * slip * slip.transpose();
   covariance.diagonal() +=
       Eigen::Vector3d(square(params_.floor_m), square(params_.floor_m), square(params_.floor_rad));
   return covariance;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -23,7 +24,7 @@ struct DisplacementErrorParams {
   double drift_rad_per_sqrt_rad = 0.0015;
   double dense_m = 0.25;  ///< scans farther apart sample the walls less densely and drift more
   double wheels_m_per_sqrt_m = 0.02;  ///< of a distance that only the wheels measured: random walk
-  double wheels_scale_sd = 0.015;     ///< and error of scale, the same over a displacement
+  double wheels_scale_sd = 0.015;     ///< and error of scale, at least; scan matching states it
   double wheels_rad_per_sqrt_m = 0.02;  ///< of a turn by the wheels: random walk along the path
   double wheels_rad_per_rad = 0.1;      ///< and with the turn
   double compared_s = 2.0;    ///< time over which the motion by wheels and by scans is compared
@@ -59,10 +60,13 @@ struct DisplacementErrorParams {
 /// drift with path length and turns, and, in degenerate directions, the error of what replaced the
 /// scan: that of the wheels, a random walk and an error of scale (Borenstein and Feng, "Measurement
 /// and correction of systematic odometry errors in mobile robots", 1996); that of the gyro, assumed
-/// independent from step to step; or that of an assumed speed, which is the same in all steps. A
-/// short stretch of scans that are lost or degenerate without wheels leaves no error: the next good
-/// scan is matched against the same walls. What the wheels filled stays: where some scans constrain
-/// a direction and others do not, the former do so weakly.
+/// independent from step to step; or that of an assumed speed, which is the same in all steps. The
+/// scale of the wheels is the same in displacements that follow each other, which a pose graph
+/// takes for independent: the k-th of a stretch that only the wheels measured has 2k - 1 times the
+/// variance of one, so that the sum over the stretch is that of its whole length. A short stretch
+/// of scans that are lost or degenerate without wheels leaves no error: the next good scan is
+/// matched against the same walls. What the wheels filled stays: where some scans constrain a
+/// direction and others do not, the former do so weakly.
 ///
 /// Two lasers are matched each against what it saw itself. Where surfaces deceive one of them, such
 /// as ground that it takes for a wall, their poses part, and later only one of them remains. Which
@@ -103,8 +107,13 @@ class DisplacementError {
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  [[nodiscard]] ErrorCovariance wheels_filled_error(const Pose2& T_last_body,
-                                                    const ScanMatch& match) const;
+  /// Of what the wheels filled in: the direction, and how far they measured along it.
+  struct Filled {
+    Eigen::Vector3d direction;  ///< of (x, y, θ) [m, m, rad] per metre
+    double length_m = 0.0;
+  };
+  [[nodiscard]] static std::vector<Filled> filled_by_wheels(const Pose2& T_last_body,
+                                                            const ScanMatch& match);
   [[nodiscard]] ErrorCovariance unobserved_error(const ScanMatch& match,
                                                  const std::optional<Pose2>& wheels_step) const;
   [[nodiscard]] std::optional<ErrorCovariance> carried_error(
@@ -123,13 +132,20 @@ class DisplacementError {
 
   void compare_with_wheels(const Pose2& T_last_body, const ScanMatch& match,
                            const std::optional<Pose2>& wheels_step);
-  [[nodiscard]] ErrorCovariance wheels_error(const Pose2& wheels_step) const;
+  [[nodiscard]] double scale_sd(const ScanMatch& match) const;
+  [[nodiscard]] ErrorCovariance wheels_error(const Pose2& wheels_step, double scale_sd) const;
+  void add_filled(const Pose2& T_last_body, const ScanMatch& match);
+  [[nodiscard]] Eigen::Matrix3d earlier_scale_covariance() const;
   void end_unobserved_stretch();
   void add_disagreement(const Pose2& T_last_body, const ScanMatch& match);
 
   DisplacementErrorParams params_;
   ErrorCovariance accumulated_;
-  ErrorCovariance unobserved_;  ///< of the current unobserved stretch
+  ErrorCovariance unobserved_;                             ///< of the current unobserved stretch
+  Eigen::Vector3d scale_error_ = Eigen::Vector3d::Zero();  ///< of the wheels, one sd of the scale
+  Eigen::Vector3d earlier_scale_error_ = Eigen::Vector3d::Zero();  ///< of the stretch before it
+  double path_m_ = 0.0;
+  double filled_m_ = 0.0;  ///< of it, by the wheels
   double unobserved_m_ = 0.0;
   int unobserved_lost_ = 0;
   /// A motion from one match to the next.

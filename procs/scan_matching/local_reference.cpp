@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_matching/local_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,8 +18,17 @@ constexpr double kForgetIntervalM = 1.0;  // removal visits all surfels
 bool LocalReference::is_steep_at(const SurfacePoint& point_body, const Pose2& T_odom_body) const {
   constexpr double kOnWallM = 0.1;
   const Eigen::Vector2d n_odom = Eigen::Rotation2Dd(T_odom_body.theta) * point_body.normal;
-  const Surfel* wall = surfels_.nearest(T_odom_body * point_body.p, n_odom, kOnWallM).surfel;
-  return wall != nullptr && wall->is_steep();
+  const Eigen::Vector2d p_odom = T_odom_body * point_body.p;
+  const Surfel* const wall = surfels_.nearest(p_odom, n_odom, kOnWallM).surfel;
+  const Surfel* const apart = apart_.nearest(p_odom, n_odom, kOnWallM).surfel;
+  if (wall == nullptr || apart == nullptr) {
+    const Surfel* const one = wall != nullptr ? wall : apart;
+    return one != nullptr && one->is_steep();
+  }
+  Surfel both = *wall;
+  both.z_min_m = std::min(wall->z_min_m, apart->z_min_m);
+  both.z_max_m = std::max(wall->z_max_m, apart->z_max_m);
+  return both.is_steep();
 }
 
 double LocalReference::contradiction_share(const ScanObservation& observation,
@@ -38,7 +48,7 @@ double LocalReference::contradiction_share(const ScanObservation& observation,
 }
 
 void LocalReference::add_keyframe(ScanObservation observation, const Pose2& T_odom_body,
-                                  double odometer_m) {
+                                  double odometer_m, bool ground_apart) {
   const auto found = keyframes_.find(observation.laser);
   if (found != keyframes_.end()) {
     const Pose2 moved = between(found->second.T_odom_body, T_odom_body);
@@ -48,9 +58,10 @@ void LocalReference::add_keyframe(ScanObservation observation, const Pose2& T_od
   }
   if (odometer_m >= forget_at_m_) {
     surfels_.remove_before(odometer_m - params_.memory_m);
+    apart_.remove_before(odometer_m - params_.memory_m);
     forget_at_m_ = odometer_m + kForgetIntervalM;
   }
-  insert(std::move(observation), T_odom_body, odometer_m);
+  insert(std::move(observation), T_odom_body, odometer_m, ground_apart);
 }
 
 void LocalReference::reset_laser(ScanObservation observation, const Pose2& T_odom_body,
@@ -61,13 +72,20 @@ void LocalReference::reset_laser(ScanObservation observation, const Pose2& T_odo
 void LocalReference::reset(ScanObservation observation, const Pose2& T_odom_body,
                            double odometer_m) {
   surfels_.clear();
+  apart_.clear();
   keyframes_.clear();
   insert(std::move(observation), T_odom_body, odometer_m);
 }
 
 void LocalReference::insert(ScanObservation observation, const Pose2& T_odom_body,
-                            double odometer_m) {
-  surfels_.insert(observation.points, T_odom_body, odometer_m);
+                            double odometer_m, bool ground_apart) {
+  std::vector<SurfacePoint> walls = observation.points;
+  const auto ground = std::stable_partition(
+      walls.begin(), walls.end(),
+      [&](const SurfacePoint& point) { return !ground_apart || !point.grade_group; });
+  apart_.insert({ground, walls.end()}, T_odom_body, odometer_m);
+  walls.erase(ground, walls.end());
+  surfels_.insert(walls, T_odom_body, odometer_m);
   const LaserId laser = observation.laser;
   keyframes_[laser] = {std::move(observation), T_odom_body};
 }

@@ -47,7 +47,7 @@ struct LocalReferenceParams {
 class LocalReference {
  public:
   explicit LocalReference(const LocalReferenceParams& params)
-      : params_(params), surfels_(params.surfels) {}
+      : params_(params), surfels_(params.surfels), apart_(params.surfels) {}
 
   [[nodiscard]] const SurfelMap& surfels() const { return surfels_; }
   /// Whether the reference holds scans of this laser: lasers with different fields of view share no
@@ -63,7 +63,10 @@ class LocalReference {
   [[nodiscard]] bool is_steep_at(const SurfacePoint& point_body, const Pose2& T_odom_body) const;
 
   /// Adds the scan if the body has moved enough since the last keyframe of its laser.
-  void add_keyframe(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
+  /// `ground_apart`: its points that may be ground or roof do not count for matches, only for
+  /// whether they are steep.
+  void add_keyframe(ScanObservation observation, const Pose2& T_odom_body, double odometer_m,
+                    bool ground_apart = false);
 
   /// Resets the keyframe of the scan's laser to this scan; surfels of all lasers are kept.
   void reset_laser(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
@@ -77,10 +80,12 @@ class LocalReference {
     Pose2 T_odom_body;
   };
 
-  void insert(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
+  void insert(ScanObservation observation, const Pose2& T_odom_body, double odometer_m,
+              bool ground_apart = false);
 
   LocalReferenceParams params_;
   SurfelMap surfels_;
+  SurfelMap apart_;  ///< what may be ground or roof, drawn where the place was not sure
   std::map<LaserId, Keyframe> keyframes_;
   double forget_at_m_ = 0.0;  ///< odometer reading of the next removal
 };

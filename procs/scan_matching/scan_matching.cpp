@@ -70,6 +70,7 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
 
 constexpr double kUnknownPitchSd = 0.05;
 constexpr double kGroundPitchSd = 0.02;  // of the ground that 3D scans showed
+constexpr double kBridgedM = 0.1;        // motion between two scans that measure it
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
@@ -175,6 +176,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   match.z_m += climb_m(match);
   compare_with_wheels(match, expected, level_share);
+  match.wheels_scale_sd = expected.from_odometry ? wheel_scale_.sd() : 0.0;
   if (has_reference) doubt_ = chain_doubt_.judge(match, expected, found);
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
@@ -245,13 +247,24 @@ double ScanMatching::climb_m(const ScanMatch& match) const {
   return ground_slope(*match.attitude).dot(step);
 }
 
-/// A scan measures the motion along the body if it constrains the pose in all directions.
+/// Between two scans that constrain the pose in all directions, the motion along the body is
+/// measured by scans, also if one of another laser in between does not.
 void ScanMatching::compare_with_wheels(const ScanMatch& match, const MotionEstimate& expected,
                                        double level_share) {
-  if (!expected.from_odometry) return;
+  if (!expected.from_odometry) {
+    T_odom_measured_.reset();
+    return;
+  }
+  wheels_since_measured_ = wheels_since_measured_ * expected.wheels_step;
   const bool measured = match.status == ScanMatch::Status::kMatched && match.degenerate.empty();
-  wheel_scale_.add(expected.wheels_step, level_share,
-                   measured ? std::optional(match.T_reference_body) : std::nullopt);
+  const bool bridged = wheels_since_measured_.translation().norm() <= kBridgedM;
+  if (!measured && bridged) return;
+  const bool compared = measured && bridged && T_odom_measured_;
+  wheel_scale_.add(
+      wheels_since_measured_, level_share,
+      compared ? std::optional(between(*T_odom_measured_, match.T_odom_body)) : std::nullopt);
+  T_odom_measured_ = measured ? std::optional(match.T_odom_body) : std::nullopt;
+  wheels_since_measured_ = {};
 }
 
 bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
@@ -371,7 +384,10 @@ void ScanMatching::update_reference(ScanObservation observation, const ScanMatch
   if (match.status != ScanMatch::Status::kLost) {
     lost_in_a_row_ = 0;
     lost_in_a_row_of_[observation.laser] = 0;
-    reference_.add_keyframe(std::move(observation), T_odom_body_, odometer_m_);
+    // Drawn where nothing tells the place along some direction, what may be ground would hold the
+    // body there as soon as it is known to be a wall.
+    reference_.add_keyframe(std::move(observation), T_odom_body_, odometer_m_,
+                            !match.degenerate.empty());
     return;
   }
   int& of_laser = lost_in_a_row_of_[observation.laser];

@@ -133,6 +133,8 @@ class ScanMatching {
   ScanMatchingParams params_;
   MotionPrediction motion_;
   WheelScale wheel_scale_;
+  std::optional<Pose2> T_odom_measured_;  ///< at the last scan that measured the motion
+  Pose2 wheels_since_measured_;
   BodyAttitude attitude_;
   GroundAttitude ground_attitude_;  ///< without an IMU
   KnownGround ground_;

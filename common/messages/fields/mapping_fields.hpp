@@ -69,6 +69,7 @@ struct Fields<scan_match_t> {
           kComponent.because("degenerate direction is not a unit vector"));
     field("degenerate_fills", m.degenerate_fills, code(scan_match_t::FILL_IMU, "unknown fill"));
     field("lever_arm_m", m.lever_arm_m, kLeverArm);
+    field("wheels_scale_sd", m.wheels_scale_sd, kShare);
     field("iterations", m.iterations, kCount);
     field("searched", m.searched, kFlag);
     field("points", m.points, kCount);

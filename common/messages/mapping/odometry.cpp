@@ -140,6 +140,7 @@ scan_match_t to_message(const ScanMatch& match) {
     message.degenerate_fills.push_back(static_cast<std::int8_t>(degenerate.fill));
   }
   message.lever_arm_m = match.lever_arm_m;
+  message.wheels_scale_sd = match.wheels_scale_sd;
   message.iterations = match.iterations;
   message.searched = static_cast<std::int8_t>(match.searched);
   message.points = match.points;
@@ -168,6 +169,7 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.rms_residual_m = message.rms_residual_m;
   match.degenerate = degenerate_directions(message);
   match.lever_arm_m = message.lever_arm_m;
+  match.wheels_scale_sd = message.wheels_scale_sd;
   match.iterations = message.iterations;
   match.searched = message.searched != 0;
   match.points = message.points;

@@ -10,13 +10,14 @@
 namespace adit {
 
 struct WheelScaleParams {
-  double sd = 0.015;           ///< of the scale before scans measured it
+  /// Of the scale before scans measured it: wheels that slip, and wear.
+  double sd = 0.05;
   double span_m = 2.0;         ///< distance over which scans and wheels are compared
   double span_min_m = 0.5;     ///< a shorter one, where the scans end to measure, is not used
   double match_sd_m = 0.01;    ///< of the motion by scans over a span
   double m_per_sqrt_m = 0.03;  ///< random walk of the wheels
   /// Random walk of the scale, with other ground [1/√m].
-  double walk_per_sqrt_m = 0.0005;
+  double walk_per_sqrt_m = 0.001;
   double deviation_max = 3.0;  ///< standard deviations; beyond, the wheels spin or a match slips
 
   template <class V>

@@ -109,6 +109,52 @@ TEST(DisplacementError, OfTheWheelsDependsOnDistanceAndNotOnTheNumberOfScans) {
   EXPECT_NEAR(sd(few, 0), sd(many, 0), 1e-9);
 }
 
+TEST(DisplacementError, TakesTheErrorOfScaleThatScanMatchingStates) {
+  DisplacementErrorParams params;
+  params.wheels_m_per_sqrt_m = 0.0;
+  ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
+  match.wheels_scale_sd = 0.06;
+  DisplacementError error{params};
+  drive(error, match, 50);
+  EXPECT_NEAR(sd(error, 0), 0.06 * 5.0, 0.001);
+  match.wheels_scale_sd = 0.001;  // other ground may have another scale
+  DisplacementError least{params};
+  drive(least, match, 50);
+  EXPECT_NEAR(sd(least, 0), params.wheels_scale_sd * 5.0, 0.002);
+}
+
+/// A pose graph adds the variances of displacements up as if they were independent.
+TEST(DisplacementError, OfAStretchByTheWheelsAddsUpToThatOfItsLength) {
+  DisplacementErrorParams params;
+  params.wheels_m_per_sqrt_m = 0.0;
+  DisplacementError error{params};
+  const ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
+  double variance = 0.0;
+  for (int map = 0; map < 4; ++map) {
+    error.reset();
+    drive(error, match, 50);
+    variance += error.covariance()(0, 0);
+  }
+  EXPECT_NEAR(std::sqrt(variance), params.wheels_scale_sd * 20.0, 0.002);
+  error.reset();
+  drive(error, matched(), 50);  // here scans measure
+  error.reset();
+  drive(error, match, 50);
+  EXPECT_NEAR(sd(error, 0), params.wheels_scale_sd * 5.0, 0.002);
+}
+
+/// In reverse the same error of scale shortens what it had lengthened.
+TEST(DisplacementError, OfAStretchByTheWheelsDoesNotGrowInReverse) {
+  DisplacementErrorParams params;
+  params.wheels_m_per_sqrt_m = 0.0;
+  DisplacementError error{params};
+  const ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
+  drive(error, match, 50);
+  error.reset();
+  for (int i = 0; i < 50; ++i) error.add_step({-kStepM, 0.0, 0.0}, match);
+  EXPECT_NEAR(sd(error, 0), params.wheels_scale_sd * 5.0, 0.002);
+}
+
 TEST(DisplacementError, OfTheScaleOfWheelsVanishesThereAndBack) {
   DisplacementErrorParams params;
   params.wheels_m_per_sqrt_m = 0.0;

@@ -59,9 +59,10 @@ class Body {
     }
   }
   void add(TerrainMap terrain) { matching_.add(std::move(terrain)); }
-  ScanMatch scan_at(double x_m) {
+  /// `wheels_scale`: metres of the wheels per metre.
+  ScanMatch scan_at(double x_m, double wheels_scale = 1.0) {
     turn(0.0, 20);
-    matching_.add(WheelOdometry{utime_, {x_m, 0.0, 0.0}});
+    matching_.add(WheelOdometry{utime_, {wheels_scale * x_m, 0.0, 0.0}});
     return matching_.add_scan(LaserId::kFront, laser_.measure({x_m, 0.0, 0.0}, utime_));
   }
 
@@ -144,6 +145,20 @@ TEST(UnconfirmedBeams, AreNotThoseToWhatWasSeenInOnePlaceAtDifferentHeights) {
   const ScanMatch match = body.scan_at(1.2);
   const auto left = static_cast<double>(match.unconfirmed_beams.size());
   EXPECT_LT(left, 0.4 * static_cast<double>(beams_to_the_end(1.2).size()));
+}
+
+/// Once the end of a smooth tunnel is known to be rock, it shows the error of the wheels.
+TEST(UnconfirmedBeams, ThatAreConfirmedMeasureTheScaleOfTheWheels) {
+  constexpr double kScale = 1.06;
+  Body body;
+  body.scan_at(0.0);
+  body.add(level_ground(1.0));
+  EXPECT_GT(body.scan_at(0.02, kScale).wheels_scale_sd, 0.04);
+  body.add(level_ground(8.0, kEndM - 0.7));
+  ScanMatch match;
+  for (double x_m = 0.04; x_m < 4.2; x_m += 0.02) match = body.scan_at(x_m, kScale);
+  EXPECT_NEAR(match.T_odom_body.x, 4.2, 0.05);
+  EXPECT_LT(match.wheels_scale_sd, 0.03);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ TEST(Golden, ScanMatch) {
   message.degenerate_directions = {{0.6, 0.0, 0.8}, {0.0, 0.8, 0.6}};
   message.degenerate_fills = {scan_match_t::FILL_ODOMETRY, scan_match_t::FILL_IMU};
   message.lever_arm_m = 1.25;
+  message.wheels_scale_sd = 0.03125;
   message.iterations = 12;
   message.searched = 1;
   message.points = 180;
@@ -94,6 +95,7 @@ TEST(Golden, ScanMatch) {
   match.degenerate = {{{0.6, 0.0, 0.8}, DegenerateDirection::Fill::kOdometry},
                       {{0.0, 0.8, 0.6}, DegenerateDirection::Fill::kImu}};
   match.lever_arm_m = 1.25;
+  match.wheels_scale_sd = 0.03125;
   match.iterations = 12;
   match.searched = true;
   match.points = 180;

@@ -188,8 +188,7 @@ const LevelPose kGridWorld{{3500.0, 8200.0, 0.7}, 231.5};
 
 /// Control points at the robot during 3D scans that are spread over the mission. `seed`: of their
 /// errors.
-std::string control_text(const SurveyInput& input, const ControlOptions& options,
-                         unsigned seed) {
+std::string control_text(const SurveyInput& input, const ControlOptions& options, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> error(0.0, options.sd_m);
   std::string text = "name,easting_m,northing_m,elevation_m,place,sd_m\n";
@@ -218,7 +217,8 @@ Row score(const std::filesystem::path& mission, unsigned number, const ControlOp
   if (control.points > 0) {
     options.control = scratch / "control.csv";
     options.crs = "local";
-    write_text_file(control_text(SurveyInput(mission_logs({mission})), control, number), options.control);
+    write_text_file(control_text(SurveyInput(mission_logs({mission})), control, number),
+                    options.control);
     T_grid_world = kGridWorld;
   }
   const MineSurvey survey(options);

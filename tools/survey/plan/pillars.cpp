@@ -33,8 +33,7 @@ double inscribed_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>&
   for (int y = box.from.y(); y < box.to.y(); ++y) {
     for (int x = box.from.x(); x < box.to.x(); ++x) {
       const double distance_m = to_line_m.get({x, y}, 0.0F);
-      if (distance_m > radius_m && encloses(ring, centre_of({x, y}, cell_m)))
-        radius_m = distance_m;
+      if (distance_m > radius_m && encloses(ring, centre_of({x, y}, cell_m))) radius_m = distance_m;
     }
   }
   return 2.0 * radius_m;

@@ -196,30 +196,21 @@ DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
   return part;
 }
 
-std::vector<DisplacementError::Filled> DisplacementError::filled_by_wheels(const Pose2& T_last_body,
-                                                                           const ScanMatch& match) {
-  std::vector<Filled> filled;
-  if (match.status != ScanMatch::Status::kMatched) return filled;
+void DisplacementError::add_filled(const Pose2& T_last_body, const ScanMatch& match) {
+  if (match.status != ScanMatch::Status::kMatched) return;
+  const Eigen::Vector2d step = T_last_body.translation();
   for (const auto& direction : match.degenerate) {
     if (!is_filled_by_wheels(direction)) continue;
     const Eigen::Vector3d& v = direction.direction;
-    filled.push_back({v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, match.lever_arm_m)),
-                      v.head<2>().dot(T_last_body.translation())});
-  }
-  return filled;
-}
-
-void DisplacementError::add_filled(const Pose2& T_last_body, const ScanMatch& match) {
-  for (const Filled& filled : filled_by_wheels(T_last_body, match)) {
-    const Eigen::Vector3d& u = filled.direction;
-    const Eigen::Vector3d scale_error = scale_sd(match) * filled.length_m * u;
+    const Eigen::Vector3d u = v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, match.lever_arm_m));
+    const double along_m = v.head<2>().dot(step);
+    const Eigen::Vector3d scale_error = scale_sd(match) * along_m * u;
     ErrorCovariance error;
-    error.independent =
-        square(params_.wheels_m_per_sqrt_m) * T_last_body.translation().norm() * u * u.transpose();
+    error.independent = square(params_.wheels_m_per_sqrt_m) * step.norm() * u * u.transpose();
     error.common_root = scale_error * Eigen::RowVector3d::UnitX();
     accumulated_.add(error);
     scale_error_ += scale_error;
-    filled_m_ += std::abs(filled.length_m);
+    filled_m_ += std::abs(along_m);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -107,13 +106,6 @@ class DisplacementError {
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  /// Of what the wheels filled in: the direction, and how far they measured along it.
-  struct Filled {
-    Eigen::Vector3d direction;  ///< of (x, y, θ) [m, m, rad] per metre
-    double length_m = 0.0;
-  };
-  [[nodiscard]] static std::vector<Filled> filled_by_wheels(const Pose2& T_last_body,
-                                                            const ScanMatch& match);
   [[nodiscard]] ErrorCovariance unobserved_error(const ScanMatch& match,
                                                  const std::optional<Pose2>& wheels_step) const;
   [[nodiscard]] std::optional<ErrorCovariance> carried_error(

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,14 +22,18 @@ namespace {
 constexpr double kPassedM = 1.0;
 
 /// The most frequent reason of the cells.
+/// The reason of most cells. At the edge of water some beams pass low over it to the roof or a wall
+/// behind, as over a drop: with a share of cells without any return these count as water, too.
 std::string main_reason(const std::vector<BlockingCell>& cells) {
+  constexpr int kDropsPerWater = 4;
   if (cells.empty()) return "the edge of the map";
   std::map<BlockingCell::Reason, int> counts;
-  BlockingCell::Reason main = cells.front().reason;
-  for (const BlockingCell& cell : cells) {
-    if (++counts[cell.reason] > counts[main]) main = cell.reason;
-  }
-  return description_of(main);
+  for (const BlockingCell& cell : cells) ++counts[cell.reason];
+  if (counts[BlockingCell::Reason::kDrop] <= kDropsPerWater * counts[BlockingCell::Reason::kWater])
+    counts[BlockingCell::Reason::kWater] += std::exchange(counts[BlockingCell::Reason::kDrop], 0);
+  const auto main =
+      std::ranges::max_element(counts, {}, [](const auto& reason) -> int { return reason.second; });
+  return description_of(main->first);
 }
 
 /// The cells in the lane of the vehicle ahead of its farthest pose, which decide that it ends

@@ -199,6 +199,19 @@ TEST(Planning, NamesWhatLiesAcrossTheTunnelNotTheRubbleBesideIt) {
   EXPECT_THAT(path.reason, testing::HasSubstr("possible water"));
 }
 
+/// At its edge some beams pass low over the water, as over a drop.
+TEST(Planning, NamesWaterWhereSomeOfItLooksLikeADrop) {
+  TerrainMap terrain = corridor_with(unmeasured_cell(Ground::kBelowRay), {3.0, -2.0}, {4.0, 2.0});
+  EXPECT_THAT(plan(terrain).reason, testing::HasSubstr("a drop"));
+  for (double y = -2.0; y < 2.0; y += 0.3) {
+    paint_box(terrain, unmeasured_cell(Ground::kNoReturn), {3.0, y}, {4.0, y + 0.1});
+  }
+  const PlannedPath path = plan(terrain);
+  ASSERT_EQ(path.outcome, PlanOutcome::kBlocked);
+  EXPECT_GT(count(path, Reason::kDrop), count(path, Reason::kWater));
+  EXPECT_THAT(path.reason, testing::HasSubstr("possible water"));
+}
+
 TEST(Planning, DistinguishesUnobservedGroundFromObstacles) {
   const Eigen::Vector2d low(2.5, -2.0);
   const PlannedPath unknown =

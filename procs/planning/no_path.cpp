@@ -21,7 +21,6 @@ namespace {
 // not through it.
 constexpr double kPassedM = 1.0;
 
-/// The most frequent reason of the cells.
 /// The reason of most cells. At the edge of water some beams pass low over it to the roof or a wall
 /// behind, as over a drop: with a share of cells without any return these count as water, too.
 std::string main_reason(const std::vector<BlockingCell>& cells) {

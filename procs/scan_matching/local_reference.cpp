@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -19,16 +22,15 @@ bool LocalReference::is_steep_at(const SurfacePoint& point_body, const Pose2& T_
   constexpr double kOnWallM = 0.1;
   const Eigen::Vector2d n_odom = Eigen::Rotation2Dd(T_odom_body.theta) * point_body.normal;
   const Eigen::Vector2d p_odom = T_odom_body * point_body.p;
-  const Surfel* const wall = surfels_.nearest(p_odom, n_odom, kOnWallM).surfel;
-  const Surfel* const apart = apart_.nearest(p_odom, n_odom, kOnWallM).surfel;
-  if (wall == nullptr || apart == nullptr) {
-    const Surfel* const one = wall != nullptr ? wall : apart;
-    return one != nullptr && one->is_steep();
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -low_m;
+  for (const SurfelMap* const surfels : {&surfels_, &apart_}) {
+    const Surfel* const wall = surfels->nearest(p_odom, n_odom, kOnWallM).surfel;
+    if (wall == nullptr) continue;
+    low_m = std::min(low_m, wall->z_min_m);
+    high_m = std::max(high_m, wall->z_max_m);
   }
-  Surfel both = *wall;
-  both.z_min_m = std::min(wall->z_min_m, apart->z_min_m);
-  both.z_max_m = std::max(wall->z_max_m, apart->z_max_m);
-  return both.is_steep();
+  return high_m - low_m > Surfel::kSteepM;
 }
 
 double LocalReference::contradiction_share(const ScanObservation& observation,
@@ -79,13 +81,17 @@ void LocalReference::reset(ScanObservation observation, const Pose2& T_odom_body
 
 void LocalReference::insert(ScanObservation observation, const Pose2& T_odom_body,
                             double odometer_m, bool ground_apart) {
-  std::vector<SurfacePoint> walls = observation.points;
-  const auto ground = std::stable_partition(
-      walls.begin(), walls.end(),
-      [&](const SurfacePoint& point) { return !ground_apart || !point.grade_group; });
-  apart_.insert({ground, walls.end()}, T_odom_body, odometer_m);
-  walls.erase(ground, walls.end());
-  surfels_.insert(walls, T_odom_body, odometer_m);
+  if (ground_apart) {
+    std::vector<SurfacePoint> ground;
+    std::vector<SurfacePoint> walls;
+    std::ranges::partition_copy(
+        observation.points, std::back_inserter(ground), std::back_inserter(walls),
+        [](const SurfacePoint& point) { return point.grade_group.has_value(); });
+    apart_.insert(ground, T_odom_body, odometer_m);
+    surfels_.insert(walls, T_odom_body, odometer_m);
+  } else {
+    surfels_.insert(observation.points, T_odom_body, odometer_m);
+  }
   const LaserId laser = observation.laser;
   keyframes_[laser] = {std::move(observation), T_odom_body};
 }

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "common/geometry/attitude.hpp"
+#include "common/geometry/symmetric_eigen.hpp"
 #include "procs/mapping/association/odometry_chain.hpp"
 
 namespace adit {
@@ -38,6 +38,10 @@ Eigen::Matrix3d planar_information(const Matrix6d& information, const Matrix6d& 
   const Eigen::Matrix3d reduced = planar - mixed * other.ldlt().solve(mixed.transpose());
   return 0.5 * (reduced + reduced.transpose()) +
          Eigen::Matrix3d::Identity() / (kUnconstrainedSd * kUnconstrainedSd);
+}
+
+SymmetricEigen<2> axes_in_plan(const Eigen::Matrix3d& covariance) {
+  return symmetric_eigen(Eigen::Matrix2d(covariance.topLeftCorner<2, 2>()));
 }
 
 /// Of the horizontal directions from the laser; zero for a scan of the full circle.
@@ -143,29 +147,27 @@ CloudPrior CloudMatching::prior_of(const Pair& pair) const {
   sd << sd_m, sd_m, params_.height_sd_m, params_.level_sd_rad, params_.level_sd_rad,
       params_.prior_sd_rad;
   prior.information = sd.cwiseAbs2().cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      Eigen::Matrix2d(pair.covariance.topLeftCorner<2, 2>()));
-  const Eigen::Vector2d variances = axes.eigenvalues().cwiseMax(sd_m * sd_m);
+  const SymmetricEigen<2> axes = axes_in_plan(pair.covariance);
+  const Eigen::Vector2d variances = axes.values.cwiseMax(sd_m * sd_m);
   prior.information.topLeftCorner<2, 2>() =
-      axes.eigenvectors() * variances.cwiseInverse().asDiagonal() * axes.eigenvectors().transpose();
+      axes.vectors * variances.cwiseInverse().asDiagonal() * axes.vectors.transpose();
   return prior;
 }
 
 /// Along the axis in plan of which the prior is least sure.
 std::vector<Eigen::Isometry3d> CloudMatching::starts(const Pair& pair,
                                                      const CloudPrior& prior) const {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      Eigen::Matrix2d(pair.covariance.topLeftCorner<2, 2>()));
-  const double reach_m =
-      std::min(params_.start_max_m, params_.start_sds * std::sqrt(axes.eigenvalues().y()));
-  const int steps = std::sqrt(axes.eigenvalues().y()) > params_.start_step_m
+  const SymmetricEigen<2> axes = axes_in_plan(pair.covariance);
+  const double widest_sd_m = std::sqrt(axes.values.y());
+  const double reach_m = std::min(params_.start_max_m, params_.start_sds * widest_sd_m);
+  const int steps = widest_sd_m > params_.start_step_m
                         ? static_cast<int>(std::ceil(reach_m / params_.start_step_m))
                         : 0;
   std::vector<Eigen::Isometry3d> starts{prior.T_target_source};
   for (int i = 1; i <= steps; ++i) {
     for (const double direction : {-1.0, 1.0}) {
       Vector6d offset = Vector6d::Zero();
-      offset.head<2>() = direction * i * params_.start_step_m * axes.eigenvectors().col(1);
+      offset.head<2>() = direction * i * params_.start_step_m * axes.vectors.col(1);
       starts.push_back(prior.T_target_source * isometry_of(offset));
     }
   }
@@ -228,12 +230,12 @@ std::optional<MatchedClouds> CloudMatching::match(const Pair& pair) const {
   result.loop_closure.newer_map = pair.newer->place.map;
   std::vector<LoopClosureAlternative>& alternatives = result.loop_closure.alternatives;
   const CloudRegistration& matched = found.front();
+  const double patches = params_.registration.patches_per_measurement;
+  const double best = std::min(kLikelihoodMax, matched.inliers / patches);
   for (const CloudRegistration& other : found) {
     alternatives.push_back(alternative(pair, prior, other));
     const double outliers = (matched.inlier_share - other.inlier_share) * matched.residuals;
-    alternatives.back().log_likelihood =
-        std::min(kLikelihoodMax, matched.inliers / params_.registration.patches_per_measurement) -
-        outliers / params_.registration.patches_per_measurement;
+    alternatives.back().log_likelihood = best - outliers / patches;
   }
   std::erase_if(alternatives, [&](const LoopClosureAlternative& place) {
     return place.log_likelihood < alternatives.front().log_likelihood - kRivalLikelihood;

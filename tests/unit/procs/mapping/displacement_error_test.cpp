@@ -38,6 +38,17 @@ void drive(DisplacementError& error, const ScanMatch& match, int steps) {
   }
 }
 
+void reverse(DisplacementError& error, const ScanMatch& match, int steps) {
+  for (int i = 0; i < steps; ++i) error.add_step({-kStepM, 0.0, 0.0}, match);
+}
+
+/// Of the errors of the wheels that of the scale alone.
+DisplacementErrorParams without_walk() {
+  DisplacementErrorParams params;
+  params.wheels_m_per_sqrt_m = 0.0;
+  return params;
+}
+
 double sd(const DisplacementError& error, int axis) {
   return std::sqrt(error.covariance()(axis, axis));
 }
@@ -110,8 +121,7 @@ TEST(DisplacementError, OfTheWheelsDependsOnDistanceAndNotOnTheNumberOfScans) {
 }
 
 TEST(DisplacementError, TakesTheErrorOfScaleThatScanMatchingStates) {
-  DisplacementErrorParams params;
-  params.wheels_m_per_sqrt_m = 0.0;
+  const DisplacementErrorParams params = without_walk();
   ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
   match.wheels_scale_sd = 0.06;
   DisplacementError error{params};
@@ -125,8 +135,7 @@ TEST(DisplacementError, TakesTheErrorOfScaleThatScanMatchingStates) {
 
 /// A pose graph adds the variances of displacements up as if they were independent.
 TEST(DisplacementError, OfAStretchByTheWheelsAddsUpToThatOfItsLength) {
-  DisplacementErrorParams params;
-  params.wheels_m_per_sqrt_m = 0.0;
+  const DisplacementErrorParams params = without_walk();
   DisplacementError error{params};
   const ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
   double variance = 0.0;
@@ -145,24 +154,22 @@ TEST(DisplacementError, OfAStretchByTheWheelsAddsUpToThatOfItsLength) {
 
 /// In reverse the same error of scale shortens what it had lengthened.
 TEST(DisplacementError, OfAStretchByTheWheelsDoesNotGrowInReverse) {
-  DisplacementErrorParams params;
-  params.wheels_m_per_sqrt_m = 0.0;
+  const DisplacementErrorParams params = without_walk();
   DisplacementError error{params};
   const ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
   drive(error, match, 50);
   error.reset();
-  for (int i = 0; i < 50; ++i) error.add_step({-kStepM, 0.0, 0.0}, match);
+  reverse(error, match, 50);
   EXPECT_NEAR(sd(error, 0), params.wheels_scale_sd * 5.0, 0.002);
 }
 
 TEST(DisplacementError, OfTheScaleOfWheelsVanishesThereAndBack) {
-  DisplacementErrorParams params;
-  params.wheels_m_per_sqrt_m = 0.0;
+  const DisplacementErrorParams params = without_walk();
   DisplacementError error{params};
   ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
   drive(error, match, 50);
   EXPECT_GT(sd(error, 0), params.wheels_scale_sd * 5.0);
-  for (int i = 0; i < 50; ++i) error.add_step({-kStepM, 0.0, 0.0}, match);
+  reverse(error, match, 50);
   DisplacementError closed{params};
   drive(closed, matched(), 50);
   EXPECT_NEAR(sd(error, 0), sd(closed, 0), 1e-9);

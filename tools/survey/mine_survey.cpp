@@ -3,7 +3,10 @@
 #include "tools/survey/mine_survey.hpp"
 
 #include <cmath>
+#include <future>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -59,16 +62,38 @@ std::vector<Eigen::Vector3d> path_in_survey(const MissionMap& map, const SurveyG
   return path;
 }
 
+/// Whether a scan of one laser adds to those before it: from nearly the same place it shows the
+/// same once more.
+class NewPlaces {
+ public:
+  bool add(const std::string& channel, const Pose2& T_survey_body) {
+    const auto [last, is_first] = last_.try_emplace(channel, T_survey_body);
+    const Pose2 moved = between(last->second, T_survey_body);
+    if (!is_first && moved.translation().norm() < kMovedM && std::abs(moved.theta) < kTurnedRad)
+      return false;
+    last->second = T_survey_body;
+    return true;
+  }
+
+ private:
+  static constexpr double kMovedM = 0.15;
+  static constexpr double kTurnedRad = 0.1;
+
+  std::map<std::string, Pose2> last_;  // by channel
+};
+
 /// The scans of the level lasers, each at the place of its local map in survey. Nothing if the
 /// poses exceed the size of a grid.
 std::optional<OccupancyGrid> occupancy(const SurveyInput& input, const SurveyGraph& graph) {
   FullMap placed;
   placed.visit_scans = [&](const FullMap&, const FullMap::UseScan& use) {
+    NewPlaces places;
     for (const SurveyGraph::Node& node : graph.nodes()) {
       const LocalMap& map = *input.map().full_map().local_maps[static_cast<std::size_t>(node.id)];
       for (const LocalScan& scan : map.scans) {
-        if (!use({&scan.channel, &scan.scan, node.T_survey_local.plan * scan.T_local_body}))
-          return false;
+        const Pose2 T_survey_body = node.T_survey_local.plan * scan.T_local_body;
+        if (!places.add(scan.channel, T_survey_body)) continue;
+        if (!use({&scan.channel, &scan.scan, T_survey_body})) return false;
       }
     }
     return true;
@@ -98,12 +123,23 @@ MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progr
       path_(path_in_survey(input_.map(), datum_.graph)),
       lines_(lines_of(input_, datum_.graph)) {
   report(progress, "measuring", 0.0);
+  // The mesh takes as long as all others together. It is made here, and they in the other thread,
+  // since CGAL takes edges of equal rank by their addresses, which only the heap of the main thread
+  // gives in the same order each time.
+  std::future<void> others =
+      std::async(std::launch::async, [&] { measure_all_but_mesh(options, progress); });
+  mesh_ = void_mesh(cloud_);
+  others.get();
+}
+
+void MineSurvey::measure_all_but_mesh(const SurveyOptions& options,
+                                      const SurveyProgress& progress) {
   occupied_ = occupancy(input_, datum_.graph);
-  report(progress, "measuring", 0.3);
+  report(progress, "measuring", 0.1);
   columns_ = column_grid(cloud_, path_, {.cell_m = options.cell_m});
   filled_columns_ = with_gaps_filled(columns_, occupied_ ? &*occupied_ : nullptr);
   void_space_ = void_volume(columns_, filled_columns_);
-  report(progress, "measuring", 0.6);
+  report(progress, "measuring", 0.5);
   std::optional<double> level_m = options.water_level_m;
   if (level_m) *level_m -= datum_.frame.origin().z();
   water_ = mine_water(columns_, filled_columns_, occupied_ ? &*occupied_ : nullptr,
@@ -111,6 +147,7 @@ MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progr
   pillars_ = pillars_of(filled_columns_);
   report(progress, "measuring", 0.7);
   sections_ = cross_sections(cloud_, section_planes(lines_, path_, options.every_m));
+  report(progress, "measuring", 0.9);
 }
 
 }  // namespace adit

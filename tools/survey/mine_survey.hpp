@@ -16,6 +16,7 @@
 #include "tools/survey/frame/survey_frame.hpp"
 #include "tools/survey/frame/survey_graph.hpp"
 #include "tools/survey/input/survey_input.hpp"
+#include "tools/survey/mesh/void_mesh.hpp"
 #include "tools/survey/plan/pillars.hpp"
 #include "tools/survey/raster/column_grid.hpp"
 #include "tools/survey/raster/void_volume.hpp"
@@ -68,6 +69,8 @@ class MineSurvey {
   /// The same without gaps.
   [[nodiscard]] const ColumnGrid& filled_columns() const { return filled_columns_; }
   [[nodiscard]] const std::vector<CrossSection>& sections() const { return sections_; }
+  /// Of the void.
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
   [[nodiscard]] const VoidVolume& void_space() const { return void_space_; }
   [[nodiscard]] const std::vector<Pillar>& pillars() const { return pillars_; }
   /// What stands, hollows, and what is flooded at the level that was asked for.
@@ -77,6 +80,8 @@ class MineSurvey {
   [[nodiscard]] const std::optional<OccupancyGrid>& occupied() const { return occupied_; }
 
  private:
+  void measure_all_but_mesh(const SurveyOptions& options, const SurveyProgress& progress);
+
   SurveyInput input_;
   SurveyDatum datum_;
   RegisteredCloud cloud_;
@@ -86,6 +91,7 @@ class MineSurvey {
   ColumnGrid columns_;
   ColumnGrid filled_columns_;
   std::vector<CrossSection> sections_;
+  SurfaceMesh mesh_;
   VoidVolume void_space_;
   std::vector<SurveyedWater> water_;
   std::vector<Pillar> pillars_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ void add_accuracy(const SurveyGraph& graph, SurveyResult& result) {
 
 /// The mesh of the void in the grid, as PLY and OBJ.
 void write_mesh(const MineSurvey& survey, const fs::path& folder, SurveyResult& result) {
-  SurfaceMesh mesh = void_mesh(survey.cloud());
+  SurfaceMesh mesh = survey.mesh();
   result.mesh = check_mesh(mesh);
   if (mesh.triangles.empty()) {
     result.warnings.emplace_back("no mesh: the returns are too sparse");
@@ -119,6 +120,11 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
   if (progress) progress("writing", 0.0);
   const ResultFolder results(options.folder);
   const fs::path& folder = results.unfinished();
+  // The largest file by far.
+  std::future<void> las = std::async(
+      std::launch::async, [&, crs = wkt1_of(frame.crs_wkt()), file = folder / "cloud.las"] {
+        write_las(las_points(survey), crs, file);
+      });
   write_rasters(survey.columns(), survey.occupied(), frame, folder, result.warnings);
   write_text_file(section_table(survey.sections(), frame), folder / "sections.csv");
   write_text_file(outline_table(survey.sections(), frame), folder / "outlines.csv");
@@ -143,7 +149,7 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
                   folder / "clearance.csv");
   if (!result.control.empty())
     write_text_file(control_table(result.control), folder / "control.csv");
-  write_las(las_points(survey), wkt1_of(frame.crs_wkt()), folder / "cloud.las");
+  las.get();
   results.publish();
   if (progress) progress("writing", 1.0);
   return result;

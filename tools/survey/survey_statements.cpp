@@ -23,11 +23,20 @@ std::string pillar_statement(const MineSurvey& survey) {
   const std::vector<Pillar>& pillars = survey.pillars();
   if (pillars.empty()) return {};
   const Extraction extracted = extraction(pillars, survey.void_space().area_m2);
-  return fmt::format(
+  const auto closed = std::ranges::count_if(pillars, &Pillar::is_closed);
+  const auto open = std::ssize(pillars) - closed;
+  std::string statement = fmt::format(
       "Pillars: {}, {:.0f} m² together, {} narrower than high, the narrowest {:.1f} m; extraction "
-      "ratio {:.1f} ± {:.1f} % (95 %), at most, since ribs are not counted as rock.",
+      "ratio {:.1f} ± {:.1f} % (95 %), ribs not counted as rock.",
       pillars.size(), extracted.pillars_m2, std::ranges::count_if(pillars, &Pillar::is_slender),
       pillars.front().width_m, 100.0 * extracted.ratio.value, 196.0 * extracted.ratio.sd);
+  if (open > 0) {
+    statement += fmt::format(
+        " {} of them {} not seen from all around: workings may begin there, and the area is an "
+        "upper bound.",
+        open, open == 1 ? "was" : "were");
+  }
+  return statement;
 }
 
 /// Empty without water.

@@ -13,7 +13,6 @@
 
 #include "common/geometry/order_statistics.hpp"
 #include "common/geometry/ring.hpp"
-#include "tools/survey/mesh/void_mesh.hpp"
 #include "tools/survey/water/flood.hpp"
 #include "tools/survey/water/mine_water.hpp"
 
@@ -27,7 +26,7 @@ constexpr std::array kLevels{0.2, 0.5, 0.8};  // of the water: quantiles of the 
 constexpr std::size_t kTriangleStep = 7;      // of the triangles, which are alike beside each other
 
 void add_mesh(const MineSurvey& survey, const SurveyTruth& truth, BodyErrors& errors) {
-  const SurfaceMesh mesh = void_mesh(survey.cloud());
+  const SurfaceMesh& mesh = survey.mesh();
   for (std::size_t i = 0; i < mesh.triangles.size(); i += kTriangleStep) {
     const auto& [a, b, c] = mesh.triangles[i];
     const Eigen::Vector3d& p_a = mesh.vertices[a];
@@ -135,7 +134,8 @@ void add_pillars(const MineSurvey& survey, const SurveyTruth& truth, BodyErrors&
       continue;
     }
     const double area_m2 = -real->signed_area_m2();
-    errors.pillars_m2.add(pillar.area_m2.value / area_m2 - 1.0, pillar.area_m2.sd / area_m2);
+    SurveyErrors& areas = pillar.is_closed() ? errors.pillars_m2 : errors.open_pillars_m2;
+    areas.add(pillar.area_m2.value / area_m2 - 1.0, pillar.area_m2.sd / area_m2);
   }
 }
 
@@ -147,6 +147,7 @@ void BodyErrors::add(const BodyErrors& other) {
   strays += other.strays;
   flooded_m.add(other.flooded_m);
   pillars_m2.add(other.pillars_m2);
+  open_pillars_m2.add(other.open_pillars_m2);
   pillars += other.pillars;
   not_pillars += other.not_pillars;
 }

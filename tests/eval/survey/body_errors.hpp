@@ -17,9 +17,10 @@ struct BodyErrors {
   std::size_t strays = 0;     ///< without a true surface within 0.3 m
   /// Volume of water up to three levels, over its true area: a height.
   SurveyErrors flooded_m;
-  SurveyErrors pillars_m2;      ///< areas of pillars, as shares of the true ones
-  std::size_t pillars = 0;      ///< surveyed
-  std::size_t not_pillars = 0;  ///< of these, those that are not in a true one
+  SurveyErrors pillars_m2;       ///< areas of closed pillars, as shares of the true ones
+  SurveyErrors open_pillars_m2;  ///< the same of the others, of which the area is an upper bound
+  std::size_t pillars = 0;       ///< surveyed
+  std::size_t not_pillars = 0;   ///< of these, those that are not in a true one
 
   void add(const BodyErrors& other);
 };

@@ -246,7 +246,7 @@ void print_bodies(const std::string& name, const BodyErrors& errors) {
                              static_cast<double>(std::max<std::size_t>(1, errors.triangles));
   std::cout << "| " << name << " | " << errors.mesh_m.magnitude_text()
             << format(", %.1f %%", 100.0 * stray_share) << " | " << errors.flooded_m.text() << " | "
-            << errors.pillars_m2.text(100.0)
+            << errors.pillars_m2.text(100.0) << " | " << errors.open_pillars_m2.text(100.0)
             << format(" | %zu of %zu |\n", errors.not_pillars, errors.pillars);
 }
 
@@ -272,7 +272,7 @@ void print_tables(const std::vector<std::filesystem::path>& missions, const Cont
   std::cout << "\nOf the mesh the share of triangles without a true surface within 0.3 m.\n\n";
   print_heading(
       "| mission | mesh along its normals (m), strays | water to three levels: volume over area "
-      "(m) | area of pillars (%) | pillars that are none |");
+      "(m) | area of closed pillars (%) | of open ones (%) | pillars that are none |");
   for (const auto& [name, errors] : bodies) print_bodies(name, errors);
 }
 

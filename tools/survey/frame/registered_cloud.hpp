@@ -53,12 +53,15 @@ class RegisteredCloud {
   /// Calls `visit` with each point, scan by scan.
   template <class Visit>
   void for_each_point(Visit visit) const {
-    for (const PlacedCloud& scan : scans_) {
-      for (const CloudLine& line : scan.cloud->lines) {
-        for (const Eigen::Vector3f& p_level : line.points) {
-          visit(SurveyPoint{scan.in_survey(p_level.cast<double>()), line.utime, &scan});
-        }
-      }
+    for (const PlacedCloud& scan : scans_) for_each_point_of(scan, visit);
+  }
+
+  /// The same for one of scans().
+  template <class Visit>
+  static void for_each_point_of(const PlacedCloud& scan, Visit& visit) {
+    for (const CloudLine& line : scan.cloud->lines) {
+      for (const Eigen::Vector3f& p_level : line.points)
+        visit(SurveyPoint{scan.in_survey(p_level.cast<double>()), line.utime, &scan});
     }
   }
 

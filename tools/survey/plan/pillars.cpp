@@ -21,6 +21,8 @@ namespace {
 constexpr double kPillarMinM2 = 1.0;
 constexpr double kPillarWidthMinM = 0.3;  // narrower ones are a wall or an obstacle
 constexpr double kWallSdM = 0.01;         // of the place of a wall, common to all around
+constexpr double kWallM = 0.3;            // from a wall, to be along it
+constexpr double kUnseenShareMax = 0.5;   // of an outline; with more it is what was not looked at
 constexpr double kBesideM = 0.6;          // of an outline, for the height of the workings there
 
 /// The diameter of the largest circle in a ring; `to_line_m`: distance of each cell from the
@@ -67,18 +69,60 @@ double height_beside_m(const std::vector<Eigen::Vector2d>& ring, const ColumnGri
   return heights.empty() ? std::numeric_limits<double>::quiet_NaN() : median(std::move(heights));
 }
 
+Grid2<float> distance_to_walls_m(const ColumnGrid& filled) {
+  Grid2<std::uint8_t> walls(filled.columns.box());
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    walls[i] = filled.columns[i].kind == SurveyColumn::Kind::kWall ? 1 : 0;
+  return distance_transform(walls, filled.cell_m);
+}
+
+/// Lengths of the stretches of a closed ring beside which no wall was seen.
+std::vector<double> openings_m(const std::vector<Eigen::Vector2d>& ring,
+                               const Grid2<float>& to_wall_m, double cell_m) {
+  std::vector<bool> seen;
+  for (const Eigen::Vector2d& p : ring)
+    seen.push_back(to_wall_m.get(cell_of(p, cell_m), kWallM) < kWallM);
+  const auto first = static_cast<std::size_t>(std::ranges::find(seen, true) - seen.begin());
+  std::vector<double> openings;
+  bool in_opening = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {  // from a seen point, if there is one
+    const std::size_t at = (first + i) % ring.size();
+    if (!seen[at] && !in_opening) openings.push_back(0.0);
+    in_opening = !seen[at];
+    if (in_opening) openings.back() += (ring[(at + 1) % ring.size()] - ring[at]).norm();
+  }
+  return openings;
+}
+
+/// Variance of an area within a ring with openings, behind each of which the wall lies anywhere up
+/// to a half circle, evenly: L² π / 8 / √12 is about L² / 8.
+double variance_behind(const std::vector<double>& openings) {
+  double variance = 0.0;
+  for (const double length_m : openings) variance += std::pow(length_m * length_m / 8.0, 2);
+  return variance;
+}
+
 }  // namespace
 
 std::vector<Pillar> pillars_of(const ColumnGrid& filled) {
   std::vector<Pillar> pillars;
   if (filled.columns.size() == 0) return pillars;
   std::vector<VoidOutline> outlines = void_outlines(filled);
+  const Grid2<float> to_wall_m = distance_to_walls_m(filled);
   const Grid2<float> to_line_m = distance_to_lines_m(outlines, filled.columns.box(), filled.cell_m);
   for (VoidOutline& outline : outlines) {
     if (!outline.is_pillar || outline.area_m2 < kPillarMinM2) continue;
+    const auto openings = openings_m(outline.points, to_wall_m, filled.cell_m);
     Pillar pillar;
+    for (const double length_m : openings) {
+      pillar.unseen_m += length_m;
+      pillar.opening_m = std::max(pillar.opening_m, length_m);
+    }
+    if (pillar.unseen_m > kUnseenShareMax * outline.length_m) continue;
     const double by_chance = 0.5 * filled.cell_m * std::sqrt(outline.length_m * filled.cell_m);
-    pillar.area_m2 = {outline.area_m2, std::hypot(outline.length_m * kWallSdM, by_chance)};
+    const double behind = variance_behind(openings);
+    pillar.area_m2 = {outline.area_m2,
+                      std::hypot(outline.length_m * kWallSdM, by_chance, std::sqrt(behind))};
     pillar.width_m = inscribed_m(outline.points, to_line_m, filled.cell_m);
     if (pillar.width_m < kPillarWidthMinM) continue;
     pillar.height_m = height_beside_m(outline.points, filled);
@@ -107,7 +151,9 @@ Extraction extraction(const std::vector<Pillar>& pillars, const Measured& void_a
 }
 
 std::string pillar_table(const std::vector<Pillar>& pillars, const SurveyFrame& frame) {
-  std::string table = "pillar,x_m,y_m,area_m2,area_sd_m2,perimeter_m,width_m,height_m,slender\n";
+  std::string table =
+      "pillar,x_m,y_m,area_m2,area_sd_m2,perimeter_m,width_m,height_m,slender,unseen_m,opening_m,"
+      "closed\n";
   int number = 0;
   for (const Pillar& pillar : pillars) {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
@@ -116,10 +162,12 @@ std::string pillar_table(const std::vector<Pillar>& pillars, const SurveyFrame& 
         frame.in_grid(Eigen::Vector2d(middle / static_cast<double>(pillar.outline.points.size())));
     const bool known_height = std::isfinite(pillar.height_m);
     fmt::format_to(std::back_inserter(table),
-                   "{},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{},{}\n", ++number, middle.x(),
-                   middle.y(), pillar.area_m2.value, pillar.area_m2.sd, pillar.outline.length_m,
-                   pillar.width_m, known_height ? fmt::format("{:.2f}", pillar.height_m) : "",
-                   known_height ? (pillar.is_slender() ? "yes" : "no") : "");
+                   "{},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{:.2f},{},{},{:.2f},{:.2f},{}\n",
+                   ++number, middle.x(), middle.y(), pillar.area_m2.value, pillar.area_m2.sd,
+                   pillar.outline.length_m, pillar.width_m,
+                   known_height ? fmt::format("{:.2f}", pillar.height_m) : "",
+                   known_height ? (pillar.is_slender() ? "yes" : "no") : "", pillar.unseen_m,
+                   pillar.opening_m, pillar.is_closed() ? "yes" : "no");
   }
   return table;
 }

@@ -12,12 +12,20 @@
 
 namespace adit {
 
-/// Rock within the workings that was seen from all around.
+/// Width up to which an opening is no tunnel.
+inline constexpr double kPassageM = 2.0;
+
+/// Rock within the workings, around which the robot has been or seen.
 struct Pillar {
   VoidOutline outline;
   Measured area_m2;
-  double width_m = 0.0;   ///< diameter of the largest circle in it
-  double height_m = 0.0;  ///< of the workings around it, median; NaN where floor or roof is unseen
+  double width_m = 0.0;    ///< diameter of the largest circle in it
+  double height_m = 0.0;   ///< of the workings around it, median; NaN where floor or roof is unseen
+  double unseen_m = 0.0;   ///< of its outline: no wall was seen there
+  double opening_m = 0.0;  ///< the longest stretch of that
+
+  /// Whether no working can begin in its outline. Else it is this large at most.
+  [[nodiscard]] bool is_closed() const { return opening_m <= kPassageM; }
 
   /// A width of less than its height: such pillars carry little (Zipf, "Toward pillar design to
   /// prevent collapse of room-and-pillar mines", SME 2001).
@@ -32,8 +40,8 @@ struct Extraction {
   Measured ratio;
 };
 
-/// Pillars of at least 1 m² and 0.3 m of width; the smallest width first. `filled`: columns without
-/// gaps.
+/// Pillars of at least 1 m² and 0.3 m of width; the smallest width first. Outlines of which more
+/// than half was not seen are left out. `filled`: columns without gaps.
 std::vector<Pillar> pillars_of(const ColumnGrid& filled);
 
 Extraction extraction(const std::vector<Pillar>& pillars, const Measured& void_area_m2);

@@ -98,14 +98,19 @@ VectorLayer LayerBuilder::pillars() const {
                      {"area_sd_m2", kNumber},
                      {"width_m", kNumber},
                      {"height_m", kNumber},
-                     {"slender", kText}},
+                     {"slender", kText},
+                     {"unseen_m", kNumber},
+                     {"opening_m", kNumber},
+                     {"closed", kText}},
                     {}};
   std::int64_t number = 0;
   for (const Pillar& pillar : survey_.pillars()) {
-    VectorFeature feature{{},
-                          {++number, pillar.area_m2.value, pillar.area_m2.sd, pillar.width_m,
-                           known(pillar.height_m), std::string(pillar.is_slender() ? "yes" : "no")},
-                          ""};
+    VectorFeature feature{
+        {},
+        {++number, pillar.area_m2.value, pillar.area_m2.sd, pillar.width_m, known(pillar.height_m),
+         std::string(pillar.is_slender() ? "yes" : "no"), pillar.unseen_m, pillar.opening_m,
+         std::string(pillar.is_closed() ? "yes" : "no")},
+        ""};
     for (const Eigen::Vector2d& p : pillar.outline.points)
       feature.points.push_back(in_grid(p, floor_z_m(p, pillar.outline.z_m)));
     layer.features.push_back(std::move(feature));

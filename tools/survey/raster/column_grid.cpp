@@ -43,6 +43,10 @@ class PathHeights {
   [[nodiscard]] bool is_near(const Eigen::Vector2i& cell) const {
     return nearest_.get(cell, -1) >= 0;
   }
+  /// Position of a cell of box() in the storage of a grid.
+  [[nodiscard]] std::size_t index(const Eigen::Vector2i& cell) const {
+    return nearest_.index(cell);
+  }
   [[nodiscard]] double at(std::size_t cell) const {
     return path_[static_cast<std::size_t>(nearest_[cell])].z();
   }
@@ -88,26 +92,90 @@ class PathHeights {
   Grid2<std::int32_t> nearest_;  ///< index of the nearest point of the path; −1: too far
 };
 
-std::vector<ColumnReturn> returns_by_column(const RegisteredCloud& cloud, const PathHeights& path,
-                                            const ColumnGridParams& params) {
-  const Grid2<std::uint8_t> storage(path.box());
-  std::vector<ColumnReturn> returns;
-  cloud.for_each_point([&](const SurveyPoint& point) {
-    const Eigen::Vector2i cell = cell_of(point.p_survey.head<2>(), params.cell_m);
-    if (!path.is_near(cell)) return;
-    const Eigen::Vector2d from_scan =
-        (point.p_survey - point.scan->T_survey_level.translation()).head<2>();
-    if (from_scan.norm() > params.range_max_m) return;
-    returns.push_back({static_cast<std::uint32_t>(storage.index(cell)),
-                       static_cast<float>(point.p_survey.z()),
-                       static_cast<float>(std::sqrt(cloud.scan_covariance(point)(2, 2))),
-                       static_cast<std::uint32_t>(point.scan->node)});
-  });
-  std::ranges::sort(returns, [](const ColumnReturn& a, const ColumnReturn& b) {
-    return std::tie(a.cell, a.z_m, a.node) < std::tie(b.cell, b.z_m, b.node);
-  });
-  return returns;
-}
+/// The returns that are judged, by rows of cells, so that those of a few rows can be had at a time:
+/// all together would take more memory than the 3D scans.
+class ReturnsByRow {
+ public:
+  /// All must outlive this.
+  ReturnsByRow(const RegisteredCloud& cloud, const PathHeights& path,
+               const ColumnGridParams& params)
+      : cloud_(cloud), path_(path), params_(params), returns_of_row_(rows(), 0) {
+    for (const PlacedCloud& scan : cloud.scans()) {
+      RowRange seen{rows(), 0};
+      for_each_return(scan, [&](const SurveyPoint& /*point*/, const Eigen::Vector2i& cell) {
+        const std::size_t row = row_of(cell);
+        ++returns_of_row_[row];
+        seen = {std::min(seen.begin, row), std::max(seen.end, row + 1)};
+      });
+      rows_of_scan_.push_back(seen);
+    }
+  }
+
+  /// Calls `visit` with the returns of the rows, a part of them at a time, each part in ascending
+  /// order of cells and then of heights. No cell is in two parts.
+  template <class Visit>
+  void for_each_part(Visit visit) const {
+    for (RowRange part{0, 0}; part.begin < rows(); part.begin = part.end) {
+      std::size_t count = 0;
+      do {
+        count += returns_of_row_[part.end++];
+      } while (part.end < rows() && count + returns_of_row_[part.end] <= params_.returns_max);
+      if (count > 0) visit(returns_in(part, count));
+    }
+  }
+
+ private:
+  struct RowRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  [[nodiscard]] std::size_t rows() const {
+    return static_cast<std::size_t>(path_.box().size().y());
+  }
+  [[nodiscard]] std::size_t row_of(const Eigen::Vector2i& cell) const {
+    return static_cast<std::size_t>(cell.y() - path_.box().from.y());
+  }
+
+  template <class Visit>
+  void for_each_return(const PlacedCloud& scan, Visit visit) const {
+    const Eigen::Vector2d origin = scan.T_survey_level.translation().head<2>();
+    const auto judge = [&](const SurveyPoint& point) {
+      const Eigen::Vector2d p = point.p_survey.head<2>();
+      const Eigen::Vector2i cell = cell_of(p, params_.cell_m);
+      if (path_.is_near(cell) && (p - origin).norm() <= params_.range_max_m) visit(point, cell);
+    };
+    RegisteredCloud::for_each_point_of(scan, judge);
+  }
+
+  [[nodiscard]] std::vector<ColumnReturn> returns_in(const RowRange& part,
+                                                     std::size_t count) const {
+    std::vector<ColumnReturn> returns;
+    returns.reserve(count);
+    for (std::size_t i = 0; i < rows_of_scan_.size(); ++i) {
+      if (rows_of_scan_[i].end <= part.begin || rows_of_scan_[i].begin >= part.end) continue;
+      for_each_return(
+          cloud_.scans()[i], [&](const SurveyPoint& point, const Eigen::Vector2i& cell) {
+            const std::size_t row = row_of(cell);
+            if (row < part.begin || row >= part.end) return;
+            returns.push_back({static_cast<std::uint32_t>(path_.index(cell)),
+                               static_cast<float>(point.p_survey.z()),
+                               static_cast<float>(std::sqrt(cloud_.scan_covariance(point)(2, 2))),
+                               static_cast<std::uint32_t>(point.scan->node)});
+          });
+    }
+    std::ranges::sort(returns, [](const ColumnReturn& a, const ColumnReturn& b) {
+      return std::tie(a.cell, a.z_m, a.node) < std::tie(b.cell, b.z_m, b.node);
+    });
+    return returns;
+  }
+
+  const RegisteredCloud& cloud_;
+  const PathHeights& path_;
+  const ColumnGridParams& params_;
+  std::vector<std::size_t> returns_of_row_;
+  std::vector<RowRange> rows_of_scan_;
+};
 
 using Returns = std::span<const ColumnReturn>;
 
@@ -220,17 +288,18 @@ ColumnGrid column_grid(const RegisteredCloud& cloud, const std::vector<Eigen::Ve
                        const ColumnGridParams& params) {
   if (path.empty()) return {params.cell_m, {}};
   const PathHeights heights(path, params.cell_m, params.path_max_m);
-  const std::vector<ColumnReturn> returns = returns_by_column(cloud, heights, params);
   Grid2<SurveyColumn> columns(heights.box());
-  const auto end = returns.end();
-  for (auto first = returns.begin(); first != end;) {
-    const std::uint32_t cell = first->cell;
-    const auto last =
-        std::find_if(first, end, [&](const ColumnReturn& at) { return at.cell != cell; });
-    columns[cell] = column_of({first, last}, centre_of(columns.cell(cell), params.cell_m),
-                              heights.at(cell) + params.middle_m, cloud.graph(), params);
-    first = last;
-  }
+  ReturnsByRow(cloud, heights, params).for_each_part([&](const std::vector<ColumnReturn>& returns) {
+    const auto end = returns.end();
+    for (auto first = returns.begin(); first != end;) {
+      const std::uint32_t cell = first->cell;
+      const auto last =
+          std::find_if(first, end, [&](const ColumnReturn& at) { return at.cell != cell; });
+      columns[cell] = column_of({first, last}, centre_of(columns.cell(cell), params.cell_m),
+                                heights.at(cell) + params.middle_m, cloud.graph(), params);
+      first = last;
+    }
+  });
   columns = cropped(columns, seen_box(columns));
   tell_walls(params, columns);
   return {params.cell_m, std::move(columns)};

@@ -22,6 +22,9 @@ struct ColumnGridParams {
   double around_m = 0.4;         ///< around a column, with which its floor and roof are compared
   double step_max_m = 0.2;       ///< between them; a higher step is a wall
   double layer_m = 0.1;          ///< returns this close to the edge of the gap are of its surface
+  /// Returns that are sorted at a time, if one row of cells has no more. Does not change the
+  /// result.
+  std::size_t returns_max = 4'000'000;
 };
 
 /// What the 3D scans show of the column of rock and space over a cell.

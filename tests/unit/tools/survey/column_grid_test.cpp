@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/unit/tools/survey/survey_scene.hpp"
@@ -35,6 +36,25 @@ TEST_F(BoxTunnelColumns, HaveFloorAndRoof) {
   EXPECT_GE(middle.floor_sd_m, 0.01F);
   const SurveyColumn& wall = grid.columns.at(cell_of({5.05, 2.03}, grid.cell_m));
   EXPECT_EQ(wall.kind, SurveyColumn::Kind::kWall);
+}
+
+TEST_F(BoxTunnelColumns, AreTheSameInPartsOfFewReturns) {
+  clouds_ = {test::scan_of_tunnel(0.0, 6.0, {2.05, 2.2}),
+             test::scan_of_tunnel(4.0, 10.0, {1.55, 2.1})};
+  const RegisteredCloud cloud(clouds_, graph_);
+  const ColumnGrid whole = column_grid(cloud, test::path_along_x(0.0, 10.0));
+  for (const std::size_t returns_max : {1UL, 1000UL, 5000UL}) {
+    const ColumnGrid grid =
+        column_grid(cloud, test::path_along_x(0.0, 10.0), {.returns_max = returns_max});
+    ASSERT_EQ(grid.columns.box(), whole.columns.box());
+    for (std::size_t i = 0; i < grid.columns.size(); ++i) {
+      const SurveyColumn& column = grid.columns[i];
+      const SurveyColumn& expected = whole.columns[i];
+      EXPECT_EQ(column.kind, expected.kind);
+      EXPECT_THAT(column.floor_m, testing::NanSensitiveFloatEq(expected.floor_m));
+      EXPECT_THAT(column.roof_m, testing::NanSensitiveFloatEq(expected.roof_m));
+    }
+  }
 }
 
 TEST_F(BoxTunnelColumns, HaveTheVolumeOfTheBox) {

@@ -51,6 +51,43 @@ TEST(Pillars, HaveTheirAreasAndWidths) {
   EXPECT_FALSE(pillars[1].is_slender());
 }
 
+/// The room, of whose larger pillar the wall at x = 8 m is not seen from y = 4.5 m on.
+ColumnGrid room_unseen_for(double length_m) {
+  ColumnGrid grid = room();
+  for (std::size_t i = 0; i < grid.columns.size(); ++i) {
+    const Eigen::Vector2d p = kRoomCellM * grid.columns.cell(i).cast<double>();
+    if (grid.columns[i].kind == SurveyColumn::Kind::kWall && std::abs(p.x() - 8.0) < 0.3 &&
+        p.y() > 4.5 && p.y() < 4.5 + length_m)
+      grid.columns[i] = {};
+  }
+  return grid;
+}
+
+TEST(Pillars, AreLessCertainWhereTheirWallWasNotSeen) {
+  const Pillar whole = pillars_of(room()).back();
+  EXPECT_EQ(whole.unseen_m, 0.0);
+  EXPECT_TRUE(whole.is_closed());
+  const Pillar part = pillars_of(room_unseen_for(1.8)).back();
+  EXPECT_NEAR(part.opening_m, 1.8 - 0.6, 0.25);  // what is near the ends counts as seen
+  EXPECT_TRUE(part.is_closed());
+  EXPECT_GT(part.area_m2.sd, whole.area_m2.sd);
+  const Pillar open = pillars_of(room_unseen_for(4.0)).back();
+  EXPECT_NEAR(open.unseen_m, 4.0 - 0.6, 0.25);
+  EXPECT_FALSE(open.is_closed());
+  EXPECT_GT(open.area_m2.sd, part.area_m2.sd);
+}
+
+TEST(Pillars, AreNoneWhereNothingWasSeen) {
+  ColumnGrid grid = room();
+  for (std::size_t i = 0; i < grid.columns.size(); ++i) {
+    const Eigen::Vector2d p = kRoomCellM * grid.columns.cell(i).cast<double>();
+    if (grid.columns[i].kind == SurveyColumn::Kind::kWall && p.x() > 12.0 && p.x() < 16.0 &&
+        p.y() > 9.0 && p.y() < 16.0)
+      grid.columns[i] = {};
+  }
+  EXPECT_EQ(pillars_of(grid).size(), 1U);
+}
+
 TEST(Pillars, GiveTheExtractionRatio) {
   const Measured void_area{400.0 - 31.5, 1.0};
   const Extraction result = extraction(pillars_of(room()), void_area);

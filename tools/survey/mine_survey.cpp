@@ -4,9 +4,10 @@
 
 #include <cmath>
 #include <future>
-#include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -62,24 +63,20 @@ std::vector<Eigen::Vector3d> path_in_survey(const MissionMap& map, const SurveyG
   return path;
 }
 
-/// Whether a scan of one laser adds to those before it: from nearly the same place it shows the
-/// same once more.
+/// Whether a scan of a laser is the first one from nearly the same place: others show the same.
 class NewPlaces {
  public:
   bool add(const std::string& channel, const Pose2& T_survey_body) {
-    const auto [last, is_first] = last_.try_emplace(channel, T_survey_body);
-    const Pose2 moved = between(last->second, T_survey_body);
-    if (!is_first && moved.translation().norm() < kMovedM && std::abs(moved.theta) < kTurnedRad)
-      return false;
-    last->second = T_survey_body;
-    return true;
+    const Eigen::Vector2i cell = cell_of(T_survey_body.translation(), kCellM);
+    const auto sector = static_cast<int>(std::floor(wrap_angle(T_survey_body.theta) / kSectorRad));
+    return seen_.emplace(channel, cell.x(), cell.y(), sector).second;
   }
 
  private:
-  static constexpr double kMovedM = 0.15;
-  static constexpr double kTurnedRad = 0.1;
+  static constexpr double kCellM = 0.15;
+  static constexpr double kSectorRad = 0.1;
 
-  std::map<std::string, Pose2> last_;  // by channel
+  std::set<std::tuple<std::string, int, int, int>> seen_;
 };
 
 /// The scans of the level lasers, each at the place of its local map in survey. Nothing if the

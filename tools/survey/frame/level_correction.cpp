@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -43,26 +44,89 @@ struct Patch {
   [[nodiscard]] auto key() const { return std::tuple(x, y, roof); }
 };
 
-/// Floor and roof around a scan, by cells of the plan, sorted.
-std::vector<Patch> patches_of(const LeveledScan& scan) {
-  std::vector<Patch> returns;
+/// A return in the cells around a scan.
+struct CellReturn {
+  std::size_t cell = 0;
+  double z_m = 0.0;
+};
+
+/// The cells of the plan within kRangeMaxM of a place, twice: below the laser, and above it.
+/// Numbered in the order of Patch::key().
+class CellsAround {
+ public:
+  explicit CellsAround(const Eigen::Vector2d& p_survey)
+      : low_(cell_of(p_survey, kCellM).array() - kReach) {}
+
+  [[nodiscard]] static std::size_t count() { return std::size_t{2} * kSide * kSide; }
+  [[nodiscard]] std::size_t number_of(const Eigen::Vector2i& cell, bool roof) const {
+    const Eigen::Vector2i at = cell - low_;
+    return static_cast<std::size_t>(2 * (at.x() * kSide + at.y()) + (roof ? 1 : 0));
+  }
+  [[nodiscard]] Patch patch(std::size_t number, double z_m) const {
+    const auto cell = static_cast<int>(number / 2);
+    return {low_.x() + cell / kSide, low_.y() + cell % kSide, number % 2 == 1, z_m};
+  }
+
+ private:
+  static constexpr int kReach = static_cast<int>(kRangeMaxM / kCellM) + 2;
+  static constexpr int kSide = 2 * kReach + 1;
+
+  Eigen::Vector2i low_;
+};
+
+/// The returns of a cell.
+struct CellHeights {
+  std::size_t returns = 0;
+  double low_m = std::numeric_limits<double>::infinity();
+  double high_m = -std::numeric_limits<double>::infinity();
+  std::size_t end = 0;  ///< of its heights, where those of all cells are stored
+
+  [[nodiscard]] bool is_flat() const { return returns >= kReturnsMin && high_m - low_m < kFlatM; }
+};
+
+std::vector<CellReturn> returns_around(const LeveledScan& scan, const CellsAround& cells) {
+  std::vector<CellReturn> returns;
   for (const CloudLine& line : scan.cloud->lines) {
     if (!is_at_place(*scan.cloud, line)) continue;
     for (const Eigen::Vector3f& p_level : line.points) {
       if (p_level.head<2>().norm() > static_cast<float>(kRangeMaxM)) continue;
       const Eigen::Vector3d p = scan.T_survey_level * Eigen::Vector3d(p_level.cast<double>());
       const Eigen::Vector2i cell = cell_of(p.head<2>(), kCellM);
-      returns.push_back({cell.x(), cell.y(), p_level.z() > line.origin.z(), p.z()});
+      returns.push_back({cells.number_of(cell, p_level.z() > line.origin.z()), p.z()});
     }
   }
-  std::ranges::sort(returns, {}, [](const Patch& at) { return std::tuple(at.key(), at.z_m); });
+  return returns;
+}
+
+/// Floor and roof around a scan, by cells of the plan, sorted: the medians of flat cells.
+std::vector<Patch> patches_of(const LeveledScan& scan) {
+  const CellsAround cells(scan.T_survey_level.translation().head<2>());
+  const std::vector<CellReturn> returns = returns_around(scan, cells);
+  std::vector<CellHeights> by_cell(CellsAround::count());
+  for (const CellReturn& at : returns) {
+    CellHeights& cell = by_cell[at.cell];
+    ++cell.returns;
+    cell.low_m = std::min(cell.low_m, at.z_m);
+    cell.high_m = std::max(cell.high_m, at.z_m);
+  }
+  std::size_t count = 0;
+  for (CellHeights& cell : by_cell) {
+    cell.end = count;
+    if (cell.is_flat()) count += cell.returns;
+  }
+  std::vector<double> heights(count);
+  for (const CellReturn& at : returns) {
+    if (by_cell[at.cell].is_flat()) heights[by_cell[at.cell].end++] = at.z_m;
+  }
   std::vector<Patch> patches;
-  for (std::size_t first = 0; first < returns.size();) {
-    std::size_t last = first;
-    while (last < returns.size() && returns[last].key() == returns[first].key()) ++last;
-    const bool flat = returns[last - 1].z_m - returns[first].z_m < kFlatM;
-    if (flat && last - first >= kReturnsMin) patches.push_back(returns[(first + last) / 2]);
-    first = last;
+  for (std::size_t i = 0; i < by_cell.size(); ++i) {
+    const CellHeights& cell = by_cell[i];
+    if (!cell.is_flat()) continue;
+    const auto end = heights.begin() + static_cast<std::ptrdiff_t>(cell.end);
+    const auto first = end - static_cast<std::ptrdiff_t>(cell.returns);
+    const auto middle = first + static_cast<std::ptrdiff_t>(cell.returns / 2);
+    std::nth_element(first, middle, end);
+    patches.push_back(cells.patch(i, *middle));
   }
   return patches;
 }

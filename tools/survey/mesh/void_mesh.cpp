@@ -17,12 +17,14 @@
 #include "common/geometry/symmetric_eigen.hpp"
 #include "tools/survey/mesh/front_triangulation.hpp"
 #include "tools/survey/points/point_index.hpp"
+#include "tools/survey/points/thinned_points.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kReturnsM = 0.06;  // between returns that are looked at
-constexpr int kSmoothMin = 8;       // points of a plane
+constexpr double kReturnsM = 0.06;  // between returns that are looked at, and if these are more
+constexpr std::size_t kReturnsPerVertex = 8;  // than so many per vertex, twice that, and so on
+constexpr int kSmoothMin = 8;                 // points of a plane
 
 /// Sets of elements that are joined (union by the smaller number, paths halved).
 class DisjointSets {
@@ -100,40 +102,39 @@ struct MeshPoints {
   double spacing_m = 0.0;
 };
 
-/// The spacing of the parameters, or a larger one that keeps to the number of vertices.
-double spacing_of(const PointIndex& index, const VoidMeshParams& params) {
+/// The spacing of the parameters, or a larger one that keeps to the number of vertices. `points`:
+/// one per cube of side `voxel_m`, at most.
+double spacing_of(const std::vector<ComparedPoint>& points, double voxel_m,
+                  const VoidMeshParams& params) {
+  const double side_m = std::max(voxel_m, params.spacing_m);
   std::unordered_set<std::uint64_t> voxels;
-  for (const ComparedPoint& point : index.points())
-    voxels.insert(voxel_key(Eigen::Vector3d(point.p.cast<double>()), params.spacing_m));
+  for (const ComparedPoint& point : points)
+    voxels.insert(voxel_key(Eigen::Vector3d(point.p.cast<double>()), side_m));
   const double ratio =
       static_cast<double>(voxels.size()) / static_cast<double>(params.vertices_max);
-  return params.spacing_m * std::sqrt(std::max(1.0, ratio));
+  return std::max(params.spacing_m, side_m * std::sqrt(ratio));
 }
 
 /// One point per voxel, moved onto the mean plane of the returns around it.
 MeshPoints mesh_points(const RegisteredCloud& cloud, const VoidMeshParams& params) {
-  std::vector<ComparedPoint> points;
-  std::vector<Eigen::Vector3d> lasers;
-  std::unordered_set<std::uint64_t> taken;
+  ThinnedPoints thinned(kReturnsM, kReturnsPerVertex * params.vertices_max);
+  std::vector<Eigen::Vector3d> lasers;  // by line
   for (const PlacedCloud& scan : cloud.scans()) {
-    const auto number = static_cast<std::uint32_t>(lasers.size());
-    Eigen::Vector3d laser = Eigen::Vector3d::Zero();
     for (const CloudLine& line : scan.cloud->lines) {
-      laser += line.origin.cast<double>();
+      const auto number = static_cast<std::uint32_t>(lasers.size());
+      lasers.push_back(scan.in_survey(line.origin.cast<double>()));
       for (const Eigen::Vector3f& p_level : line.points) {
         if ((p_level - line.origin).norm() > static_cast<float>(params.range_max_m)) continue;
-        const Eigen::Vector3d p = scan.in_survey(p_level.cast<double>());
-        if (taken.insert(voxel_key(p, kReturnsM)).second)
-          points.push_back({p.cast<float>(), number});
+        thinned.add({scan.in_survey(p_level.cast<double>()).cast<float>(), number});
       }
     }
-    const auto lines = static_cast<double>(std::max<std::size_t>(1, scan.cloud->lines.size()));
-    lasers.push_back(scan.in_survey(laser / lines));
   }
-  const PointIndex index(std::move(points), params.smooth_m);
-  const double spacing_m = spacing_of(index, params);
+  const double voxel_m = thinned.voxel_m();
+  std::vector<ComparedPoint> points = std::move(thinned).release();
   MeshPoints result;
-  result.spacing_m = spacing_m;
+  const double spacing_m = result.spacing_m = spacing_of(points, voxel_m, params);
+  const double smooth_m = params.smooth_m * std::max(1.0, voxel_m / kReturnsM / 2.0);
+  const PointIndex index(std::move(points), smooth_m);
   std::unordered_set<std::uint64_t> voxels;
   for (const ComparedPoint& point : index.points()) {
     Eigen::Vector3d p = point.p.cast<double>();
@@ -141,7 +142,7 @@ MeshPoints mesh_points(const RegisteredCloud& cloud, const VoidMeshParams& param
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     int count = 0;
-    index.for_each_around(p, params.smooth_m, [&](const ComparedPoint& other) {
+    index.for_each_around(p, smooth_m, [&](const ComparedPoint& other) {
       const Eigen::Vector3d d = other.p.cast<double>() - p;
       sum += d;
       squares += d * d.transpose();

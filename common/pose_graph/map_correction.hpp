@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
-#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 
@@ -45,8 +44,9 @@ inline constexpr double kKeepsPlaceInOdomM = 10.0;
 /// Largest standard deviation of the position over all directions [m], of a covariance of (x, y,
 /// θ).
 inline double position_sd_m(const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
-  return std::sqrt(std::max(0.0, symmetric_eigen(position).values.maxCoeff()));
+  const double mean = 0.5 * (covariance(0, 0) + covariance(1, 1));
+  const double half = 0.5 * (covariance(0, 0) - covariance(1, 1));
+  return std::sqrt(std::max(0.0, mean + std::hypot(half, covariance(0, 1))));
 }
 
 /// The same for the correction's local map; empty if unknown.

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "tools/map/full_map.hpp"
 #include "tools/survey/plan/hazard_marks.hpp"
@@ -73,8 +74,8 @@ class NewPlaces {
   }
 
  private:
-  static constexpr double kCellM = 0.15;
-  static constexpr double kSectorRad = 0.1;
+  static constexpr double kCellM = 0.3;
+  static constexpr double kSectorRad = 0.2;
 
   std::set<std::tuple<std::string, int, int, int>> seen_;
 };
@@ -126,6 +127,7 @@ MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progr
   std::future<void> others =
       std::async(std::launch::async, [&] { measure_all_but_mesh(options, progress); });
   mesh_ = void_mesh(cloud_);
+  malloc_trim(0);  // the triangulation
   others.get();
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <malloc.h>
 
 #include "common/geometry/symmetric_eigen.hpp"
 #include "tools/survey/mesh/front_triangulation.hpp"
@@ -192,6 +193,7 @@ SurfaceMesh sided_mesh(const SurfaceMesh& mesh, const std::vector<Eigen::Vector3
 
 SurfaceMesh void_mesh(const RegisteredCloud& cloud, const VoidMeshParams& params) {
   MeshPoints points = mesh_points(cloud, params);
+  malloc_trim(0);  // the returns that were looked at, before the triangulation takes as much
   SurfaceMesh mesh;
   mesh.triangles =
       front_triangulation(points.places, params.edge_max_m * points.spacing_m / params.spacing_m);

@@ -32,10 +32,10 @@ constexpr double kNicheShare = 1.5;    // of it: a section that is wider opens t
 
 /// A return in the frame of a section.
 struct SectionReturn {
-  double u_m = 0.0;
-  double z_m = 0.0;  ///< in survey
-  double v_m = 0.0;  ///< along the centre line, from the plane
-  double sd_m = 0.0;
+  float u_m = 0.0F;
+  float z_m = 0.0F;  ///< in survey
+  float v_m = 0.0F;  ///< along the centre line, from the plane
+  float sd_m = 0.0F;
   int scan = 0;
 };
 
@@ -87,8 +87,9 @@ std::vector<std::vector<SectionReturn>> returns_by_plane(const RegisteredCloud& 
       if (z < plane.z_path_m - kBelowM || z > plane.z_path_m + kAboveM) continue;
       const Eigen::Vector3d from_scan = point.p_survey - point.scan->T_survey_level.translation();
       if (from_scan.head<2>().norm() > params.range_max_m) continue;
-      returns[i].push_back(
-          {u, z, v, std::sqrt(cloud.scan_covariance(point)(2, 2)), point.scan->number});
+      const double sd_m = std::sqrt(cloud.scan_covariance(point)(2, 2));
+      returns[i].push_back({static_cast<float>(u), static_cast<float>(z), static_cast<float>(v),
+                            static_cast<float>(sd_m), point.scan->number});
     }
   });
   return returns;

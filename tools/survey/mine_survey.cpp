@@ -46,6 +46,12 @@ const SurveyOptions& checked(const SurveyOptions& options) {
   return options;
 }
 
+/// Where temporary files are: beside the result, if there is to be one.
+std::filesystem::path scratch_of(const SurveyOptions& options) {
+  return options.folder.empty() ? std::filesystem::temp_directory_path()
+                                : absolute(options.folder).parent_path();
+}
+
 SurveyDatum datum_of(const SurveyOptions& options, const SurveyInput& input) {
   SurveyDatum free = free_datum(input);
   if (options.control.empty()) return free;
@@ -114,8 +120,9 @@ void report(const SurveyProgress& progress, const char* step, double done) {
 }  // namespace
 
 MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progress)
-    : input_(mission_logs(checked(options).mission),
-             [&](double done) { report(progress, "reading", done); }),
+    : input_(
+          mission_logs(checked(options).mission),
+          [&](double done) { report(progress, "reading", done); }, scratch_of(options)),
       datum_(datum_of(options, input_)),
       cloud_(input_.clouds(), datum_.graph),
       path_(path_in_survey(input_.map(), datum_.graph)),

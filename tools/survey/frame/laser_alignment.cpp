@@ -104,10 +104,11 @@ Eigen::Vector3d spread(const std::vector<MountEquation>& equations, const MountN
 }  // namespace
 
 std::vector<ScanRotation> scan_rotations(const std::vector<CloudMatch>& matches,
-                                         const MapGraph& graph, const std::vector<Cloud>& clouds,
+                                         const MapGraph& graph, const CloudStore& clouds,
                                          const Lasers& lasers) {
   std::map<std::int64_t, bool> front;  // by Cloud::utime
-  for (const Cloud& cloud : clouds) {
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    const Cloud& cloud = clouds[i];
     if (!cloud.lines.empty()) front[cloud.utime] = is_front(cloud, lasers);
   }
   const auto has_pose = [&](int map) {

@@ -11,8 +11,8 @@
 
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/types/cloud.hpp"
 #include "common/types/cloud_match.hpp"
+#include "tools/survey/input/cloud_store.hpp"
 
 namespace adit {
 
@@ -32,7 +32,7 @@ struct ScanRotation {
 /// The matches of 3D scans of which both are known. What remains about z is the match less the
 /// graph.
 std::vector<ScanRotation> scan_rotations(const std::vector<CloudMatch>& matches,
-                                         const MapGraph& graph, const std::vector<Cloud>& clouds,
+                                         const MapGraph& graph, const CloudStore& clouds,
                                          const Lasers& lasers);
 
 /// How the front laser stands against the rear one, other than the stages take it for. Both see one

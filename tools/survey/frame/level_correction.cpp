@@ -84,10 +84,11 @@ struct CellHeights {
   [[nodiscard]] bool is_flat() const { return returns >= kReturnsMin && high_m - low_m < kFlatM; }
 };
 
-std::vector<CellReturn> returns_around(const LeveledScan& scan, const CellsAround& cells) {
+std::vector<CellReturn> returns_around(const CloudStore& clouds, const LeveledScan& scan,
+                                       const CellsAround& cells) {
   std::vector<CellReturn> returns;
-  for (const CloudLine& line : scan.cloud->lines) {
-    if (!is_at_place(*scan.cloud, line)) continue;
+  for (const CloudLine& line : clouds.lines(scan.cloud)) {
+    if (!is_at_place(clouds[scan.cloud], line)) continue;
     for (const Eigen::Vector3f& p_level : line.points) {
       if (p_level.head<2>().norm() > static_cast<float>(kRangeMaxM)) continue;
       const Eigen::Vector3d p = scan.T_survey_level * Eigen::Vector3d(p_level.cast<double>());
@@ -99,9 +100,9 @@ std::vector<CellReturn> returns_around(const LeveledScan& scan, const CellsAroun
 }
 
 /// Floor and roof around a scan, by cells of the plan, sorted: the medians of flat cells.
-std::vector<Patch> patches_of(const LeveledScan& scan) {
+std::vector<Patch> patches_of(const CloudStore& clouds, const LeveledScan& scan) {
   const CellsAround cells(scan.T_survey_level.translation().head<2>());
-  const std::vector<CellReturn> returns = returns_around(scan, cells);
+  const std::vector<CellReturn> returns = returns_around(clouds, scan, cells);
   std::vector<CellHeights> by_cell(CellsAround::count());
   for (const CellReturn& at : returns) {
     CellHeights& cell = by_cell[at.cell];
@@ -172,10 +173,10 @@ std::optional<RelativeTilt> relative_tilt(const std::vector<Patch>& older,
 
 }  // namespace
 
-LevelCorrection::LevelCorrection(const std::vector<LeveledScan>& scans) {
+LevelCorrection::LevelCorrection(const CloudStore& clouds, const std::vector<LeveledScan>& scans) {
   std::vector<std::vector<Patch>> patches;
   patches.reserve(scans.size());
-  for (const LeveledScan& scan : scans) patches.push_back(patches_of(scan));
+  for (const LeveledScan& scan : scans) patches.push_back(patches_of(clouds, scan));
   std::map<int, LevelError> errors;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     LevelError& error = errors.try_emplace(scans[i].session, kPriorSdRad).first->second;

@@ -8,14 +8,14 @@
 #include <Eigen/Core>
 
 #include "common/geometry/level_pose.hpp"
-#include "common/types/cloud.hpp"
+#include "tools/survey/input/cloud_store.hpp"
 
 namespace adit {
 
 /// A 3D scan for LevelCorrection.
 struct LeveledScan {
-  const Cloud* cloud = nullptr;
-  int session = 0;  ///< of its odom frame
+  std::size_t cloud = 0;  ///< position in the CloudStore
+  int session = 0;        ///< of its odom frame
   LevelPose T_survey_level;
 };
 
@@ -25,7 +25,7 @@ struct LeveledScan {
 /// it by floor and roof, which they see inclined against each other.
 class LevelCorrection {
  public:
-  explicit LevelCorrection(const std::vector<LeveledScan>& scans);
+  LevelCorrection(const CloudStore& clouds, const std::vector<LeveledScan>& scans);
 
   /// Turns points of a level frame of a session into the vertical.
   [[nodiscard]] Eigen::Matrix3d rotation(int session) const;

@@ -6,20 +6,21 @@
 
 namespace adit {
 
-RegisteredCloud::RegisteredCloud(const std::vector<Cloud>& clouds, const SurveyGraph& graph)
-    : graph_(graph) {
+RegisteredCloud::RegisteredCloud(const CloudStore& clouds, const SurveyGraph& graph)
+    : clouds_(clouds), graph_(graph) {
   std::vector<LeveledScan> leveled;
-  for (const Cloud& cloud : clouds) {
+  for (std::size_t i = 0; i < clouds.size(); ++i) {
+    const Cloud& cloud = clouds[i];
     const std::size_t node = graph.node_at(cloud.utime);
     const SurveyGraph::Node& at = graph.nodes()[node];
     const LevelPose T_local_level =
         between(at.T_odom_local, LevelPose{cloud.T_odom_level, cloud.z_odom_m});
     scans_.push_back(
-        {&cloud, static_cast<int>(scans_.size()) + 1, node, at.T_survey_local * T_local_level});
-    leveled.push_back({&cloud, at.session, scans_.back().T_survey_level});
-    points_ += cloud.points();
+        {cloud.utime, static_cast<int>(i) + 1, node, at.T_survey_local * T_local_level});
+    leveled.push_back({i, at.session, scans_.back().T_survey_level});
+    points_ += clouds.points(i);
   }
-  const LevelCorrection level(leveled);
+  const LevelCorrection level(clouds, leveled);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     scans_[i].correction = level.rotation(leveled[i].session);
     scans_[i].level_sd_rad = level.sd_rad(leveled[i].session);

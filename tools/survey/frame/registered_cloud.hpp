@@ -11,6 +11,7 @@
 #include "common/geometry/level_pose.hpp"
 #include "common/types/cloud.hpp"
 #include "tools/survey/frame/survey_graph.hpp"
+#include "tools/survey/input/cloud_store.hpp"
 
 namespace adit {
 
@@ -19,9 +20,9 @@ inline constexpr double kRangeSdM = 0.01;
 
 /// A 3D scan in the frame of the survey.
 struct PlacedCloud {
-  const Cloud* cloud = nullptr;
-  int number = 0;        ///< in the order of the log, from 1
-  std::size_t node = 0;  ///< of SurveyGraph, to which it is attached
+  std::int64_t utime = 0;  ///< end of its sweep [µs since the epoch]
+  int number = 0;          ///< in the order of the log, from 1
+  std::size_t node = 0;    ///< of SurveyGraph, to which it is attached
   LevelPose T_survey_level;
   Eigen::Matrix3d correction = Eigen::Matrix3d::Identity();  ///< of its level frame
   double level_sd_rad = 0.0;  ///< of roll and pitch of that frame, corrected
@@ -44,10 +45,21 @@ struct SurveyPoint {
 class RegisteredCloud {
  public:
   /// `clouds` and `graph` must outlive this.
-  RegisteredCloud(const std::vector<Cloud>& clouds, const SurveyGraph& graph);
+  RegisteredCloud(const CloudStore& clouds, const SurveyGraph& graph);
 
   [[nodiscard]] const std::vector<PlacedCloud>& scans() const { return scans_; }
   [[nodiscard]] std::size_t points() const { return points_; }
+  [[nodiscard]] std::size_t points_of(const PlacedCloud& scan) const {
+    return clouds_.points(index_of(scan));
+  }
+  /// In its level frame.
+  [[nodiscard]] std::vector<CloudLine> lines_of(const PlacedCloud& scan) const {
+    return clouds_.lines(index_of(scan));
+  }
+  /// Of one of scans(), with its first line only, and that without points.
+  [[nodiscard]] const Cloud& scan_of(const PlacedCloud& scan) const {
+    return clouds_[index_of(scan)];
+  }
   [[nodiscard]] const SurveyGraph& graph() const { return graph_; }
 
   /// Calls `visit` with each point, scan by scan.
@@ -58,8 +70,8 @@ class RegisteredCloud {
 
   /// The same for one of scans().
   template <class Visit>
-  static void for_each_point_of(const PlacedCloud& scan, Visit& visit) {
-    for (const CloudLine& line : scan.cloud->lines) {
+  void for_each_point_of(const PlacedCloud& scan, Visit& visit) const {
+    for (const CloudLine& line : lines_of(scan)) {
       for (const Eigen::Vector3f& p_level : line.points)
         visit(SurveyPoint{scan.in_survey(p_level.cast<double>()), line.utime, &scan});
     }
@@ -72,6 +84,11 @@ class RegisteredCloud {
   [[nodiscard]] Eigen::Matrix3d scan_covariance(const SurveyPoint& point) const;
 
  private:
+  [[nodiscard]] static std::size_t index_of(const PlacedCloud& scan) {
+    return static_cast<std::size_t>(scan.number) - 1;
+  }
+
+  const CloudStore& clouds_;
   const SurveyGraph& graph_;
   std::vector<PlacedCloud> scans_;
   std::size_t points_ = 0;

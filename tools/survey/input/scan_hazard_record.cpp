@@ -19,11 +19,13 @@ constexpr std::size_t kQueuedMessages = 1000;
 
 }  // namespace
 
-ScanHazardRecord::ScanHazardRecord(Bus& bus, const Vehicle& vehicle) {
+ScanHazardRecord::ScanHazardRecord(Bus& bus, const Vehicle& vehicle,
+                                   const std::filesystem::path& scratch)
+    : clouds_(scratch) {
   const Delivery all = Delivery::queued(kQueuedMessages);
   subscribe<pose_t>(bus, channels::kPose, all, [this](const StampedPose& pose) { pose_ = pose; });
   subscribe<cloud_t>(bus, channels::kCloud, all, [this](const CloudFragment& fragment) {
-    if (auto cloud = cloud_fragments_.add(fragment)) add_cloud(std::move(*cloud));
+    if (auto cloud = cloud_fragments_.add(fragment)) clouds_.push_back(std::move(*cloud));
   });
   subscribe<terrain_t>(bus, channels::kTerrain, all, [this, vehicle](const TerrainFragment& tile) {
     const auto terrain = terrain_tiles_.add(tile);
@@ -40,15 +42,6 @@ ScanHazardRecord::ScanHazardRecord(Bus& bus, const Vehicle& vehicle) {
   subscribe<sinkage_t>(bus, channels::kSinkage, all, [this](const SinkageReading& reading) {
     if (pose_) add(hazards_of(reading, T_odom_body()));
   });
-}
-
-void ScanHazardRecord::add_cloud(Cloud cloud) {
-  for (CloudLine& line : cloud.lines) {
-    line.misses.clear();
-    line.misses.shrink_to_fit();
-    line.points.shrink_to_fit();
-  }
-  clouds_.push_back(std::move(cloud));
 }
 
 void ScanHazardRecord::add(std::vector<Hazard> hazards) {

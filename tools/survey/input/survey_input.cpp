@@ -56,11 +56,12 @@ std::vector<std::filesystem::path> mission_logs(const std::vector<std::filesyste
 }
 
 SurveyInput::SurveyInput(std::vector<std::filesystem::path> logs,
-                         const std::function<void(double)>& progress)
+                         const std::function<void(double)>& progress,
+                         const std::filesystem::path& scratch)
     : log_info_(read_log_info(logs)), vehicle_(section_of<Vehicle>(log_info_).value_or(Vehicle{})) {
   lasers_ = section_of<Lasers>(log_info_);
   StateRecord state(bus_);
-  ScanHazardRecord scans(bus_, vehicle_);
+  ScanHazardRecord scans(bus_, vehicle_, scratch);
   subscribe<cloud_match_t>(bus_, channels::kCloudMatch, Delivery::queued(kMatchesQueued),
                            [this](const CloudMatch& match) { cloud_matches_.push_back(match); });
   play_logs(

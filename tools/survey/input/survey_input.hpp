@@ -13,13 +13,13 @@
 #include "common/bus/node/stage_bus.hpp"
 #include "common/records/hazard.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/types/cloud.hpp"
 #include "common/types/cloud_match.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/vehicle.hpp"
 #include "tools/report/mission_map.hpp"
 #include "tools/report/records/log_info.hpp"
 #include "tools/report/records/map_record.hpp"
+#include "tools/survey/input/cloud_store.hpp"
 
 namespace adit {
 
@@ -29,9 +29,10 @@ namespace adit {
 class SurveyInput {
  public:
   /// Reads the logs. Throws std::runtime_error if a log cannot be read, or if they have no map or
-  /// no 3D scan.
+  /// no 3D scan. `scratch`: folder for a temporary file.
   SurveyInput(std::vector<std::filesystem::path> logs,
-              const std::function<void(double)>& progress = {});
+              const std::function<void(double)>& progress = {},
+              const std::filesystem::path& scratch = std::filesystem::temp_directory_path());
   SurveyInput(const SurveyInput&) = delete;
   SurveyInput& operator=(const SurveyInput&) = delete;
 
@@ -40,7 +41,7 @@ class SurveyInput {
   [[nodiscard]] const Vehicle& vehicle() const { return vehicle_; }
   [[nodiscard]] const MissionMap& map() const { return *map_; }
   /// 3D scans in the order of the log: scan i has the number i + 1, as in the report.
-  [[nodiscard]] const std::vector<Cloud>& clouds() const { return clouds_; }
+  [[nodiscard]] const CloudStore& clouds() const { return clouds_; }
   /// Matches of 3D scans, in the order of the log.
   [[nodiscard]] const std::vector<CloudMatch>& cloud_matches() const { return cloud_matches_; }
   /// Of the recorded configuration; nothing if the log has none.
@@ -61,7 +62,7 @@ class SurveyInput {
   StageBus bus_{memory_, StageBus::Measure::kNothing};
   MapRecord record_{bus_};
   std::unique_ptr<MissionMap> map_;
-  std::vector<Cloud> clouds_;
+  CloudStore clouds_;
   std::vector<CloudMatch> cloud_matches_;
   std::optional<Lasers> lasers_;
   std::vector<Hazard> hazards_;

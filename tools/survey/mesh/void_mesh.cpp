@@ -121,7 +121,7 @@ MeshPoints mesh_points(const RegisteredCloud& cloud, const VoidMeshParams& param
   ThinnedPoints thinned(kReturnsM, kReturnsPerVertex * params.vertices_max);
   std::vector<Eigen::Vector3d> lasers;  // by line
   for (const PlacedCloud& scan : cloud.scans()) {
-    for (const CloudLine& line : scan.cloud->lines) {
+    for (const CloudLine& line : cloud.lines_of(scan)) {
       const auto number = static_cast<std::uint32_t>(lasers.size());
       lasers.push_back(scan.in_survey(line.origin.cast<double>()));
       for (const Eigen::Vector3f& p_level : line.points) {

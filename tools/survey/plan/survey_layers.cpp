@@ -278,11 +278,11 @@ VectorLayer LayerBuilder::path() const {
 }
 
 /// Middle of the places of the laser in survey.
-Eigen::Vector3d laser_place(const PlacedCloud& scan) {
+Eigen::Vector3d laser_place(const RegisteredCloud& cloud, const PlacedCloud& scan) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int lines = 0;
-  for (const CloudLine& line : scan.cloud->lines) {
-    if (!is_at_place(*scan.cloud, line)) continue;
+  for (const CloudLine& line : cloud.lines_of(scan)) {
+    if (!is_at_place(cloud.scan_of(scan), line)) continue;
     sum += line.origin.cast<double>();
     ++lines;
   }
@@ -301,20 +301,21 @@ VectorLayer LayerBuilder::scans() const {
                      {"step_turn_sd_rad", kNumber},
                      {"step_z_sd_m", kNumber}},
                     {}};
-  const SurveyGraph& graph = survey_.cloud().graph();
+  const RegisteredCloud& cloud = survey_.cloud();
+  const SurveyGraph& graph = cloud.graph();
   std::size_t before = 0;
-  for (const PlacedCloud& scan : survey_.cloud().scans()) {
+  for (const PlacedCloud& scan : cloud.scans()) {
     if (layer.features.empty()) before = scan.node;
     const Eigen::Matrix3d step = graph.covariance_between(before, scan.node);
     const double step_z_m = std::sqrt(graph.z_variance_between(before, scan.node));
     before = scan.node;
-    layer.features.push_back(
-        {{in_grid(scan.T_survey_level.translation())},
-         {std::int64_t{scan.number}, date_text(scan.cloud->utime),
-          static_cast<std::int64_t>(scan.cloud->points()),
-          std::string(scan.cloud->complete ? "yes" : "no"), in_grid(laser_place(scan)).z(),
-          position_sd_m(step), std::sqrt(step(2, 2)), step_z_m},
-         ""});
+    layer.features.push_back({{in_grid(scan.T_survey_level.translation())},
+                              {std::int64_t{scan.number}, date_text(scan.utime),
+                               static_cast<std::int64_t>(cloud.points_of(scan)),
+                               std::string(cloud.scan_of(scan).complete ? "yes" : "no"),
+                               in_grid(laser_place(cloud, scan)).z(), position_sd_m(step),
+                               std::sqrt(step(2, 2)), step_z_m},
+                              ""});
   }
   return layer;
 }

@@ -145,7 +145,7 @@ class ReturnsByRow {
       const Eigen::Vector2i cell = cell_of(p, params_.cell_m);
       if (path_.is_near(cell) && (p - origin).norm() <= params_.range_max_m) visit(point, cell);
     };
-    RegisteredCloud::for_each_point_of(scan, judge);
+    cloud_.for_each_point_of(scan, judge);
   }
 
   [[nodiscard]] std::vector<ColumnReturn> returns_in(const RowRange& part,

@@ -19,12 +19,12 @@ namespace {
 class BoxTunnelColumns : public testing::Test {
  protected:
   ColumnGrid grid_of(const Cloud& cloud) {
-    clouds_ = {cloud};
+    clouds_ = test::stored({cloud});
     return column_grid(RegisteredCloud(clouds_, graph_), test::path_along_x(0.0, 10.0));
   }
 
   SurveyGraph graph_ = test::graph_along_x(3, 5.0);
-  std::vector<Cloud> clouds_;
+  CloudStore clouds_;
 };
 
 TEST_F(BoxTunnelColumns, HaveFloorAndRoof) {
@@ -39,8 +39,8 @@ TEST_F(BoxTunnelColumns, HaveFloorAndRoof) {
 }
 
 TEST_F(BoxTunnelColumns, AreTheSameInPartsOfFewReturns) {
-  clouds_ = {test::scan_of_tunnel(0.0, 6.0, {2.05, 2.2}),
-             test::scan_of_tunnel(4.0, 10.0, {1.55, 2.1})};
+  clouds_ = test::stored(
+      {test::scan_of_tunnel(0.0, 6.0, {2.05, 2.2}), test::scan_of_tunnel(4.0, 10.0, {1.55, 2.1})});
   const RegisteredCloud cloud(clouds_, graph_);
   const ColumnGrid whole = column_grid(cloud, test::path_along_x(0.0, 10.0));
   for (const std::size_t returns_max : {1UL, 1000UL, 5000UL}) {

@@ -19,14 +19,14 @@ std::vector<CentreLine> line_along_x(double to_m, bool to_junction = false) {
 class CrossSections : public testing::Test {
  protected:
   std::vector<CrossSection> sections_of(const Cloud& cloud, double every_m = 5.0) {
-    clouds_ = {cloud};
+    clouds_ = test::stored({cloud});
     const RegisteredCloud registered(clouds_, graph_);
     const auto path = test::path_along_x(0.0, 10.0);
     return cross_sections(registered, section_planes(line_along_x(10.0), path, every_m));
   }
 
   SurveyGraph graph_ = test::graph_along_x(3, 5.0);
-  std::vector<Cloud> clouds_;
+  CloudStore clouds_;
 };
 
 TEST_F(CrossSections, MeasureABoxTunnel) {

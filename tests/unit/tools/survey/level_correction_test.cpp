@@ -26,18 +26,18 @@ Cloud inclined_scan(double x, double heading_rad, const Eigen::Matrix3d& tilt) {
 class InclinedScans : public testing::Test {
  protected:
   LevelCorrection correction_of(const std::vector<double>& headings) {
-    clouds_.clear();
-    for (const double heading : headings) clouds_.push_back(inclined_scan(0.0, heading, tilt_));
+    CloudStore clouds;
     std::vector<LeveledScan> scans;
-    for (std::size_t i = 0; i < clouds_.size(); ++i)
-      scans.push_back({&clouds_[i], 0, {{0.0, 0.0, headings[i]}, 0.0}});
-    return LevelCorrection(scans);
+    for (const double heading : headings) {
+      scans.push_back({clouds.size(), 0, {{0.0, 0.0, heading}, 0.0}});
+      clouds.push_back(inclined_scan(0.0, heading, tilt_));
+    }
+    return LevelCorrection(clouds, scans);
   }
 
   const Eigen::Matrix3d tilt_ = (Eigen::AngleAxisd(0.002, Eigen::Vector3d::UnitX()) *
                                  Eigen::AngleAxisd(-0.006, Eigen::Vector3d::UnitY()))
                                     .toRotationMatrix();
-  std::vector<Cloud> clouds_;
 };
 
 TEST_F(InclinedScans, OfOppositeHeadingsAreLeveled) {

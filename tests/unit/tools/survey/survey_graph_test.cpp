@@ -62,7 +62,7 @@ TEST(RegisteredCloud, PlacesScansByTheirLocalMaps) {
   cloud.utime = test::kSurveyUtime + 1'500'000;
   cloud.T_odom_level = {6.0, 0.0, 0.5 * M_PI};
   cloud.lines.push_back({cloud.utime, {0.0F, 0.0F, 0.6F}, {{2.0F, 0.0F, 0.0F}}, {}});
-  const std::vector<Cloud> clouds{cloud};
+  const CloudStore clouds = test::stored({cloud});
   const RegisteredCloud registered(clouds, graph);
   std::size_t count = 0;
   registered.for_each_point([&](const SurveyPoint& point) {

@@ -11,6 +11,7 @@
 
 #include "common/types/cloud.hpp"
 #include "tools/survey/frame/survey_graph.hpp"
+#include "tools/survey/input/cloud_store.hpp"
 
 namespace adit::test {
 
@@ -36,6 +37,12 @@ struct BoxSection {
   double half_width_m = 2.0;
   double height_m = 2.0;
 };
+
+inline CloudStore stored(const std::vector<Cloud>& clouds) {
+  CloudStore store;
+  for (const Cloud& cloud : clouds) store.push_back(cloud);
+  return store;
+}
 
 /// A 3D scan of a level tunnel along x from `from_m` to `to_m`, at the origin of odom: the surfaces
 /// sampled each 5 cm.

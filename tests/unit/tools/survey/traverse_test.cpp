@@ -75,7 +75,7 @@ TEST(Traverse, LeavesOutLoopsWithoutATraverse) {
 }
 
 TEST(Traverse, HasABudgetThatAddsUp) {
-  const std::vector<Cloud> clouds{test::scan_of_tunnel(-3.0, 3.0)};
+  const CloudStore clouds = test::stored({test::scan_of_tunnel(-3.0, 3.0)});
   const SurveyGraph stations = test::graph_along_x(1, 1.0);
   const RegisteredCloud cloud(clouds, stations);
   const auto budget = accuracy_budget(square(false), cloud);

@@ -31,7 +31,7 @@ Cloud tunnel(bool ends) {
 }
 
 SurfaceMesh mesh_of(const Cloud& cloud) {
-  const std::vector<Cloud> clouds{cloud};
+  const CloudStore clouds = test::stored({cloud});
   const SurveyGraph graph = test::graph_along_x(1, 1.0);
   return void_mesh(RegisteredCloud(clouds, graph));
 }

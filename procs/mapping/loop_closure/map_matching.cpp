@@ -3,7 +3,9 @@
 #include "procs/mapping/loop_closure/map_matching.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -20,6 +22,8 @@ namespace {
 
 constexpr double kDistinctM = 0.3;  // closer alternatives are the same
 constexpr double kDistinctRad = 0.1;
+constexpr double kOpenRatio = 5.0;  // of the standard deviations along a tunnel and across it
+constexpr double kAlongCosine = 0.95;
 constexpr int kFewPoints = 120;  // to test a peak before its refinement
 constexpr int kFewIterations = 12;
 constexpr double kCoarseSearchM = 4.0;  // wider gates are searched at half the resolution
@@ -90,16 +94,17 @@ class MapMatcher {
   }
 
   std::vector<LoopClosureAlternative> alternatives() {
-    std::vector<LoopClosureAlternative> found;
-    if (newer_points_.empty() || older_.empty()) return found;
+    if (newer_points_.empty() || older_.empty()) return {};
     lever_arm_m_ = lever_arm_m(newer_points_);
     older_alone_.insert(flat(older_walls_->points), {}, 0.0);
+    std::vector<RatedPlace> found;
     for (const Pose2& start : starts()) {
-      const auto alternative = refine(start);
-      if (alternative) found.push_back(*alternative);
+      const auto place = refine(start);
+      if (place) found.push_back(*place);
     }
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-      return a.log_likelihood > b.log_likelihood;
+    credit_overlap(found);
+    std::ranges::stable_sort(found, std::greater{}, [](const RatedPlace& place) -> double {
+      return place.alternative.log_likelihood;
     });
     return distinct(found);
   }
@@ -123,6 +128,49 @@ class MapMatcher {
   }
 
  private:
+  /// A place with the length of wall that both maps observed there.
+  struct RatedPlace {
+    LoopClosureAlternative alternative;
+    double observed_m = 0.0;
+  };
+
+  /// Whether one of two places is the other one moved along the axis of a tunnel, which is open in
+  /// both.
+  static bool is_along_tunnel(const LoopClosureAlternative& a, const LoopClosureAlternative& b) {
+    const Pose2 apart = between(a.T_older_newer, b.T_older_newer);
+    if (std::abs(wrap_angle(apart.theta)) > kDistinctRad) return false;
+    const Eigen::Vector2d direction = apart.translation().stableNormalized();
+    return std::ranges::all_of(std::array{&a, &b}, [&](const LoopClosureAlternative* place) {
+      const SymmetricEigen<2> axes =
+          symmetric_eigen(Eigen::Matrix2d(place->information.topLeftCorner<2, 2>()));
+      return axes.values.x() * kOpenRatio * kOpenRatio < axes.values.y() &&
+             std::abs(direction.dot(axes.vectors.col(0))) > kAlongCosine;
+    });
+  }
+
+  /// Smooth walls agree at each place along a tunnel, and add to the likelihood in proportion to
+  /// what lies on each other there: the nearer two maps seem to be, the more. What would not be
+  /// observed by both at a place, but is at another one along the tunnel, counts there as at the
+  /// others on average.
+  static void credit_overlap(std::vector<RatedPlace>& found) {
+    const auto most = std::ranges::max_element(found, {}, &RatedPlace::observed_m);
+    if (most == found.end()) return;
+    std::vector<RatedPlace*> group;
+    double log_likelihood = 0.0;
+    double observed_m = 0.0;
+    for (RatedPlace& place : found) {
+      if (&place != &*most && !is_along_tunnel(most->alternative, place.alternative)) continue;
+      group.push_back(&place);
+      log_likelihood += place.alternative.log_likelihood;
+      observed_m += place.observed_m;
+    }
+    const double most_m = most->observed_m;
+    for (RatedPlace* place : group) {
+      place->alternative.log_likelihood +=
+          log_likelihood / std::max(1e-3, observed_m) * (most_m - place->observed_m);
+    }
+  }
+
   /// Of the newer map in the older one, and the reverse.
   [[nodiscard]] std::pair<WallAgreement, WallAgreement> agreements(const Pose2& T) const {
     const double z_m = ground_offset(newer_path_, T, older_path_).offset_m;
@@ -231,7 +279,7 @@ class MapMatcher {
     return largest;
   }
 
-  [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
+  [[nodiscard]] std::optional<RatedPlace> refine(const Pose2& start) const {
     const auto [match, neighbours_covariance] = align_finely(start);
     if (match.overlap < params_.observed_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
@@ -241,7 +289,8 @@ class MapMatcher {
     const Eigen::Vector3d floor(params_.floor_m, params_.floor_m, params_.floor_rad);
     const Eigen::Matrix3d error_covariance =
         neighbours_covariance + floor.cwiseAbs2().asDiagonal().toDenseMatrix();
-    LoopClosureAlternative alternative;
+    RatedPlace place;
+    LoopClosureAlternative& alternative = place.alternative;
     alternative.T_older_newer = slide(match.T_odom_body, constrained.degenerate);
     if (!in_gate(alternative.T_older_newer, constrained.covariance + error_covariance)) {
       return std::nullopt;
@@ -249,7 +298,7 @@ class MapMatcher {
     alternative.information = with_added_covariance(
         constrained.information,
         error_covariance + far_view_covariance(alternative.T_older_newer, match.rms_residual_m));
-    return rate(alternative) ? std::optional(alternative) : std::nullopt;
+    return rate(place) ? std::optional(place) : std::nullopt;
   }
 
   /// The error of a match of two places that are far from each other, in the newer frame: along the
@@ -293,12 +342,14 @@ class MapMatcher {
   }
 
   /// Sets the likelihood. False if the maps do not overlap or contradict each other.
-  bool rate(LoopClosureAlternative& alternative) const {
+  bool rate(RatedPlace& place) const {
+    LoopClosureAlternative& alternative = place.alternative;
     const Pose2& T = alternative.T_older_newer;
     const auto [there, back] = agreements(T);
     if (there.observed() < params_.observed_share_min * there.points) return false;
     const int observed = there.observed() + back.observed();
     if (there.near + back.near < params_.on_wall_share_min * observed) return false;
+    place.observed_m = newer_step_m_ * there.observed() + older_step_m_ * back.observed();
     // Points of one wall are not independent, and the two directions are nearly redundant.
     alternative.log_likelihood =
         0.5 / params_.independent_m *
@@ -312,9 +363,9 @@ class MapMatcher {
   }
 
   [[nodiscard]] static std::vector<LoopClosureAlternative> distinct(
-      const std::vector<LoopClosureAlternative>& sorted) {
+      const std::vector<RatedPlace>& sorted) {
     std::vector<LoopClosureAlternative> distinct_poses;
-    for (const auto& alternative : sorted) {
+    for (const auto& [alternative, observed_m] : sorted) {
       const bool duplicate = std::any_of(
           distinct_poses.begin(), distinct_poses.end(),
           [&](const auto& other) { return same(alternative.T_older_newer, other.T_older_newer); });

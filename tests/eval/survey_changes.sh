@@ -2,14 +2,18 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# survey_changes.sh DIR
-# Prints what adit survey compare finds between missions in one mine: unchanged with other errors of all sensors, and with a wall
-# that moved by 0.1 m and a fall of 0.5 m³. DIR takes the missions; those that are there are used again.
+# survey_changes.sh DIR [FIRST_SEED [COUNT]]
+# Prints what adit survey compare finds between two missions in one mine, each with its own errors of all sensors: random mines
+# that have not changed (COUNT of them, 6 if not given), and one in which a wall has moved by 0.1 m and 0.5 m³ have fallen, each
+# four times. DIR takes the missions; those that are there are used again.
 # shellcheck source=tests/eval/common.sh
 . "$(dirname "$(readlink -f "$0")")/common.sh"
 
 folder=$(realpath -m "$1")
+first=${2:-1}
+count=${3:-6}
 mine=$root/tests/eval/survey/changing_mine.yaml
+worlds=(random random_level)
 build adit
 adit=$root/build/release/bin/adit
 mkdir -p "$folder"
@@ -22,25 +26,39 @@ mkdir -p "$folder"
   echo '      - {tunnel: side, at_m: 7, across_m: 0.6, radius_m: 1.0, height_m: 0.48}'
 } >"$folder/changed_mine.yaml"
 
-# survey NAME WORLD SEED
+# survey NAME NOISE_SEED WORLD..
 survey() {
-  echo "sim: {noise_seed: $3}" >"$folder/$1.yaml"
-  [ -d "$folder/$1" ] || "$adit" mission "$2" --in-process --config "$folder/$1.yaml" --out "$folder/$1" \
-    >"$folder/$1.log" 2>&1 || true
-  [ -d "$folder/survey_$1" ] || "$adit" survey "$folder/$1" --out "$folder/survey_$1" >>"$folder/$1.log" 2>&1
+  local name=$1
+  echo "sim: {noise_seed: $2}" >"$folder/$name.yaml"
+  shift 2
+  [ -d "$folder/$name" ] || "$adit" mission "$@" --in-process --config "$folder/$name.yaml" --out "$folder/$name" \
+    >"$folder/$name.log" 2>&1 || true
+  [ -d "$folder/survey_$name" ] || "$adit" survey "$folder/$name" --out "$folder/survey_$name" >>"$folder/$name.log" 2>&1
 }
 
-survey before "$mine" 1
-survey again "$mine" 2
-survey changed "$folder/changed_mine.yaml" 5
+# compare TEXT OLDER NEWER [--by-coordinates]: a row for the pair, and one for each region of change
+compare() {
+  local result=$folder/change_$3${4:-}
+  local mode=${4:-by the clouds}
+  "$adit" survey compare "$folder/survey_$2" "$folder/survey_$3" --out "$result" "${@:4}" >"$result.log" 2>&1
+  sed -nE "s/^([0-9]+) m² of surface are seen by both; level of detection ([0-9.]+) m .*; ([0-9.]+) % exceed it.*/| $1 | ${mode#--} | \2 | \3 % of \1 m² |/p" \
+    "$result.log"
+  sed -nE 's/^  [0-9]+: (.*)/| | | | \1 |/p' "$result.log"
+}
 
-conditions "one run each"
-for pair in 'before again' 'again changed'; do
-  read -r older newer <<<"$pair"
-  for mode in '' --by-coordinates; do
-    echo "$older, $newer $mode"
-    # shellcheck disable=SC2086 # a mode or nothing
-    "$adit" survey compare "$folder/survey_$older" "$folder/survey_$newer" --out "$folder/change_$newer$mode" $mode 2>&1
-    echo
-  done
+conditions "one run each, random mines of seeds $first to $((first + count - 1))"
+echo '| surveys | registration | level of detection (95 %, median, m) | area above it, regions of change |'
+echo '|---|---|---|---|'
+for ((seed = first; seed < first + count; ++seed)); do
+  world=${worlds[seed % 2]}
+  for noise in 1 2; do survey "mine_${seed}_$noise" "$((2 * seed + noise))" "$world" --seed "$seed"; done
+  compare "$world $seed, unchanged" "mine_${seed}_1" "mine_${seed}_2"
+done
+for set in 0 1 2 3; do
+  survey "before_$set" "$((10 * set + 1))" "$mine"
+  survey "again_$set" "$((10 * set + 2))" "$mine"
+  survey "changed_$set" "$((10 * set + 5))" "$folder/changed_mine.yaml"
+  compare "unchanged ($set)" "before_$set" "again_$set"
+  compare "changed ($set)" "again_$set" "changed_$set"
+  compare "changed ($set)" "again_$set" "changed_$set" --by-coordinates
 done

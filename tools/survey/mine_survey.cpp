@@ -124,6 +124,9 @@ MineSurvey::MineSurvey(const SurveyOptions& options, const SurveyProgress& progr
           mission_logs(checked(options).mission),
           [&](double done) { report(progress, "reading", done); }, scratch_of(options)),
       datum_(datum_of(options, input_)),
+      given_lines_(options.keep_clear.empty()
+                       ? std::vector<GivenLine>{}
+                       : read_given_lines(options.keep_clear, datum_.frame.crs_wkt())),
       cloud_(input_.clouds(), datum_.graph),
       path_(path_in_survey(input_.map(), datum_.graph)),
       lines_(lines_of(input_, datum_.graph)) {
@@ -151,6 +154,7 @@ void MineSurvey::measure_all_but_mesh(const SurveyOptions& options,
   water_ = mine_water(columns_, filled_columns_, occupied_ ? &*occupied_ : nullptr,
                       hazard_marks(input_.hazards(), datum_.graph), level_m);
   pillars_ = pillars_of(filled_columns_);
+  approaches_ = approaches_to(given_lines_, filled_columns_, datum_.graph, datum_.frame);
   report(progress, "measuring", 0.7);
   sections_ = cross_sections(cloud_, section_planes(lines_, path_, options.every_m));
   report(progress, "measuring", 0.9);

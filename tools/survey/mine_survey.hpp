@@ -17,6 +17,7 @@
 #include "tools/survey/frame/survey_graph.hpp"
 #include "tools/survey/input/survey_input.hpp"
 #include "tools/survey/mesh/void_mesh.hpp"
+#include "tools/survey/plan/approaches.hpp"
 #include "tools/survey/plan/pillars.hpp"
 #include "tools/survey/raster/column_grid.hpp"
 #include "tools/survey/raster/void_volume.hpp"
@@ -39,6 +40,8 @@ struct SurveyOptions {
   double every_m = 5.0;                             ///< between cross-sections
   double cell_m = 0.1;                              ///< of rasters
   std::string sheet = "A3";                         ///< or A1: paper of the plan
+  /// Vector file with other workings, a property line, boreholes; empty: none.
+  std::filesystem::path keep_clear = {};
   /// Elevation in the grid up to which water is to stand; nothing: not asked for.
   std::optional<double> water_level_m = {};
 };
@@ -52,7 +55,7 @@ class MineSurvey {
  public:
   /// Throws std::invalid_argument for options out of bounds, and std::runtime_error if a log cannot
   /// be read, or has no map or no 3D scan, and for a file of control
-  /// points that cannot be right (see require_plausible).
+  /// points that cannot be right (see require_plausible), or of lines (see read_given_lines).
   explicit MineSurvey(const SurveyOptions& options, const SurveyProgress& progress = {});
   MineSurvey(const MineSurvey&) = delete;
   MineSurvey& operator=(const MineSurvey&) = delete;
@@ -73,6 +76,10 @@ class MineSurvey {
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
   [[nodiscard]] const VoidVolume& void_space() const { return void_space_; }
   [[nodiscard]] const std::vector<Pillar>& pillars() const { return pillars_; }
+  /// Of the workings to each line that is to be kept clear, the nearest first.
+  [[nodiscard]] const std::vector<CloseApproach>& approaches() const { return approaches_; }
+  /// Those lines, in the grid.
+  [[nodiscard]] const std::vector<GivenLine>& given_lines() const { return given_lines_; }
   /// What stands, hollows, and what is flooded at the level that was asked for.
   [[nodiscard]] const std::vector<SurveyedWater>& water() const { return water_; }
   /// Scans of the level lasers at the places of their local maps; nothing if the poses exceed the
@@ -84,6 +91,7 @@ class MineSurvey {
 
   SurveyInput input_;
   SurveyDatum datum_;
+  std::vector<GivenLine> given_lines_;
   RegisteredCloud cloud_;
   std::vector<Eigen::Vector3d> path_;
   std::vector<CentreLine> lines_;
@@ -95,6 +103,7 @@ class MineSurvey {
   VoidVolume void_space_;
   std::vector<SurveyedWater> water_;
   std::vector<Pillar> pillars_;
+  std::vector<CloseApproach> approaches_;
 };
 
 }  // namespace adit

@@ -113,6 +113,9 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
     if (point.is_suspect()) result.warnings.push_back(suspicion(point));
   }
   result.control = survey.datum().residuals;
+  for (const CloseApproach& approach : survey.approaches()) {
+    if (approach.may_meet()) result.warnings.push_back(encounter(approach));
+  }
   result.alignment = alignment_of(survey.input());
   if (const std::string text = suspicion(result.alignment); !text.empty())
     result.warnings.push_back(text);
@@ -147,6 +150,8 @@ SurveyResult write_survey(const SurveyOptions& options, const SurveyProgress& pr
                   folder / "loops.csv");
   write_text_file(clearance_table(survey.sections(), envelopes_of(survey), frame),
                   folder / "clearance.csv");
+  if (!survey.given_lines().empty())
+    write_text_file(approach_table(survey.approaches(), frame), folder / "approaches.csv");
   if (!result.control.empty())
     write_text_file(control_table(result.control), folder / "control.csv");
   las.get();

@@ -39,6 +39,17 @@ std::string pillar_statement(const MineSurvey& survey) {
   return statement;
 }
 
+/// Empty without lines to keep clear.
+std::string approach_statement(const MineSurvey& survey) {
+  if (survey.approaches().empty()) return {};
+  const CloseApproach& nearest = survey.approaches().front();
+  return fmt::format(
+      "Of {} given lines {} ({}) is nearest to the workings: {:.2f} ± {:.2f} m (95 %) in plan, "
+      "without the uncertainty of the line (approaches.csv).",
+      survey.given_lines().size(), quote(nearest.name), nearest.layer, nearest.distance_m.value,
+      1.96 * nearest.distance_m.sd);
+}
+
 /// Empty without water.
 std::string water_statement(const MineSurvey& survey) {
   std::string statement;
@@ -100,6 +111,14 @@ std::string alignment_statement(const std::optional<LaserAlignment>& alignment) 
       alignment->matches, off.x(), sd.x(), off.y(), sd.y(), off.z(), sd.z());
 }
 
+std::string encounter(const CloseApproach& approach) {
+  return fmt::format(
+      "the workings come within {:.2f} ± {:.2f} m (95 %) of {} ({}), in plan: they "
+      "may meet (approaches.csv)",
+      approach.distance_m.value, 1.96 * approach.distance_m.sd, quote(approach.name),
+      approach.layer);
+}
+
 PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result) {
   const LogInfo& log_info = survey.input().log_info();
   PlanSheetText text;
@@ -121,7 +140,8 @@ PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result) {
       result.length_m, result.void_space.area_m2.value, 1.96 * result.void_space.area_m2.sd,
       result.void_space.volume_m3.value, 1.96 * result.void_space.volume_m3.sd,
       result.void_space.filled_m2));
-  for (const std::string& statement : {pillar_statement(survey), water_statement(survey)}) {
+  for (const std::string& statement :
+       {pillar_statement(survey), water_statement(survey), approach_statement(survey)}) {
     if (!statement.empty()) text.statements.push_back(statement);
   }
   for (const ControlResidual& point : result.control) {

@@ -21,6 +21,9 @@ std::string suspicion(const std::optional<LaserAlignment>& alignment);
 /// How well the lasers agree, a sentence; empty if that is not known.
 std::string alignment_statement(const std::optional<LaserAlignment>& alignment);
 
+/// That the workings may meet a given line, a sentence.
+std::string encounter(const CloseApproach& approach);
+
 /// What the plan sheet says beside the plan.
 PlanSheetText sheet_text(const MineSurvey& survey, const SurveyResult& result);
 

@@ -43,6 +43,7 @@ Outputs in DIR, for CAD and GIS:
   water.csv                         standing water, hollows with depth and spill, what a level floods
   cloud.las                         all points (LAS 1.4) with scan, time and standard deviations
   control.csv                       residuals and tests of the control points, with --control
+  approaches.csv                    distances from given lines, with --keep-clear
 
 Without control the coordinate system is a local grid: metres from the start of the mission. Control points
 are comma-separated values; the first line names the columns:
@@ -57,6 +58,7 @@ constexpr const char* kSurveyExamples =
   adit survey mission --out survey --every 2           a cross-section every 2 m
   adit survey mission --out survey --water-level -0.4  what is flooded at that elevation
   adit survey mission --out survey --control points.csv --crs EPSG:25832
+  adit survey mission --out survey --control points.csv --crs EPSG:25832 --keep-clear old_workings.dxf
   adit survey compare survey_2025 survey_2026 --out change      what fell, what moved)";
 
 constexpr const char* kCompareDetails =
@@ -179,6 +181,12 @@ void add_survey_command(CLI::App& adit) {
                    "Elevation of water [m]: what it floods, and what it spills over")
       ->type_name("Z")
       ->check(number_in(within(-10'000.0, 10'000.0)));
+  command
+      ->add_option("--keep-clear", options->keep_clear,
+                   "Other workings, property lines, boreholes (any vector file): how near the "
+                   "workings come to each")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
   command->require_subcommand(0, 1);
   add_compare_command(*command);
   command->callback([options, command] {

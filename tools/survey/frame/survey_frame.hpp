@@ -46,6 +46,9 @@ class SurveyFrame {
   [[nodiscard]] Eigen::Vector2d in_grid(const Eigen::Vector2d& p_survey) const {
     return origin_.head<2>() + scale_ * p_survey;
   }
+  [[nodiscard]] Eigen::Vector2d in_survey(const Eigen::Vector2d& p_grid) const {
+    return (p_grid - origin_.head<2>()) / scale_;
+  }
 
  private:
   Eigen::Vector3d origin_;

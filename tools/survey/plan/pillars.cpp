@@ -77,28 +77,28 @@ Grid2<float> distance_to_walls_m(const ColumnGrid& filled) {
 }
 
 /// Lengths of the stretches of a closed ring beside which no wall was seen.
-std::vector<double> openings_m(const std::vector<Eigen::Vector2d>& ring,
-                               const Grid2<float>& to_wall_m, double cell_m) {
+std::vector<double> gaps_m(const std::vector<Eigen::Vector2d>& ring, const Grid2<float>& to_wall_m,
+                           double cell_m) {
   std::vector<bool> seen;
   for (const Eigen::Vector2d& p : ring)
     seen.push_back(to_wall_m.get(cell_of(p, cell_m), kWallM) < kWallM);
   const auto first = static_cast<std::size_t>(std::ranges::find(seen, true) - seen.begin());
-  std::vector<double> openings;
-  bool in_opening = false;
+  std::vector<double> gaps;
+  bool in_gap = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {  // from a seen point, if there is one
     const std::size_t at = (first + i) % ring.size();
-    if (!seen[at] && !in_opening) openings.push_back(0.0);
-    in_opening = !seen[at];
-    if (in_opening) openings.back() += (ring[(at + 1) % ring.size()] - ring[at]).norm();
+    if (!seen[at] && !in_gap) gaps.push_back(0.0);
+    in_gap = !seen[at];
+    if (in_gap) gaps.back() += (ring[(at + 1) % ring.size()] - ring[at]).norm();
   }
-  return openings;
+  return gaps;
 }
 
-/// Variance of an area within a ring with openings, behind each of which the wall lies anywhere up
+/// Variance of an area within a ring with gaps, behind each of which the wall lies anywhere up
 /// to a half circle, evenly: L² π / 8 / √12 is about L² / 8.
-double variance_behind(const std::vector<double>& openings) {
+double variance_behind(const std::vector<double>& gaps) {
   double variance = 0.0;
-  for (const double length_m : openings) variance += std::pow(length_m * length_m / 8.0, 2);
+  for (const double length_m : gaps) variance += std::pow(length_m * length_m / 8.0, 2);
   return variance;
 }
 
@@ -112,15 +112,15 @@ std::vector<Pillar> pillars_of(const ColumnGrid& filled) {
   const Grid2<float> to_line_m = distance_to_lines_m(outlines, filled.columns.box(), filled.cell_m);
   for (VoidOutline& outline : outlines) {
     if (!outline.is_pillar || outline.area_m2 < kPillarMinM2) continue;
-    const auto openings = openings_m(outline.points, to_wall_m, filled.cell_m);
+    const auto gaps = gaps_m(outline.points, to_wall_m, filled.cell_m);
     Pillar pillar;
-    for (const double length_m : openings) {
+    for (const double length_m : gaps) {
       pillar.unseen_m += length_m;
-      pillar.opening_m = std::max(pillar.opening_m, length_m);
+      pillar.gap_m = std::max(pillar.gap_m, length_m);
     }
     if (pillar.unseen_m > kUnseenShareMax * outline.length_m) continue;
     const double by_chance = 0.5 * filled.cell_m * std::sqrt(outline.length_m * filled.cell_m);
-    const double behind = variance_behind(openings);
+    const double behind = variance_behind(gaps);
     pillar.area_m2 = {outline.area_m2,
                       std::hypot(outline.length_m * kWallSdM, by_chance, std::sqrt(behind))};
     pillar.width_m = inscribed_m(outline.points, to_line_m, filled.cell_m);
@@ -152,7 +152,7 @@ Extraction extraction(const std::vector<Pillar>& pillars, const Measured& void_a
 
 std::string pillar_table(const std::vector<Pillar>& pillars, const SurveyFrame& frame) {
   std::string table =
-      "pillar,x_m,y_m,area_m2,area_sd_m2,perimeter_m,width_m,height_m,slender,unseen_m,opening_m,"
+      "pillar,x_m,y_m,area_m2,area_sd_m2,perimeter_m,width_m,height_m,slender,unseen_m,gap_m,"
       "closed\n";
   int number = 0;
   for (const Pillar& pillar : pillars) {
@@ -167,7 +167,7 @@ std::string pillar_table(const std::vector<Pillar>& pillars, const SurveyFrame& 
                    pillar.outline.length_m, pillar.width_m,
                    known_height ? fmt::format("{:.2f}", pillar.height_m) : "",
                    known_height ? (pillar.is_slender() ? "yes" : "no") : "", pillar.unseen_m,
-                   pillar.opening_m, pillar.is_closed() ? "yes" : "no");
+                   pillar.gap_m, pillar.is_closed() ? "yes" : "no");
   }
   return table;
 }

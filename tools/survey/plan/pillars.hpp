@@ -12,20 +12,20 @@
 
 namespace adit {
 
-/// Width up to which an opening is no tunnel.
+/// Width up to which a gap is no tunnel.
 inline constexpr double kPassageM = 2.0;
 
 /// Rock within the workings, around which the robot has been or seen.
 struct Pillar {
   VoidOutline outline;
   Measured area_m2;
-  double width_m = 0.0;    ///< diameter of the largest circle in it
-  double height_m = 0.0;   ///< of the workings around it, median; NaN where floor or roof is unseen
-  double unseen_m = 0.0;   ///< of its outline: no wall was seen there
-  double opening_m = 0.0;  ///< the longest stretch of that
+  double width_m = 0.0;   ///< diameter of the largest circle in it
+  double height_m = 0.0;  ///< of the workings around it, median; NaN where floor or roof is unseen
+  double unseen_m = 0.0;  ///< of its outline: no wall was seen there
+  double gap_m = 0.0;     ///< the longest stretch of that
 
   /// Whether no working can begin in its outline. Else it is this large at most.
-  [[nodiscard]] bool is_closed() const { return opening_m <= kPassageM; }
+  [[nodiscard]] bool is_closed() const { return gap_m <= kPassageM; }
 
   /// A width of less than its height: such pillars carry little (Zipf, "Toward pillar design to
   /// prevent collapse of room-and-pillar mines", SME 2001).

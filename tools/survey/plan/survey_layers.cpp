@@ -49,6 +49,8 @@ class LayerBuilder {
   [[nodiscard]] VectorLayer scans() const;
   [[nodiscard]] VectorLayer traverse() const;
   [[nodiscard]] VectorLayer control() const;
+  [[nodiscard]] VectorLayer given_lines() const;
+  [[nodiscard]] VectorLayer approaches() const;
 
  private:
   /// A place of map, in survey, on the ground.
@@ -100,7 +102,7 @@ VectorLayer LayerBuilder::pillars() const {
                      {"height_m", kNumber},
                      {"slender", kText},
                      {"unseen_m", kNumber},
-                     {"opening_m", kNumber},
+                     {"gap_m", kNumber},
                      {"closed", kText}},
                     {}};
   std::int64_t number = 0;
@@ -108,7 +110,7 @@ VectorLayer LayerBuilder::pillars() const {
     VectorFeature feature{
         {},
         {++number, pillar.area_m2.value, pillar.area_m2.sd, pillar.width_m, known(pillar.height_m),
-         std::string(pillar.is_slender() ? "yes" : "no"), pillar.unseen_m, pillar.opening_m,
+         std::string(pillar.is_slender() ? "yes" : "no"), pillar.unseen_m, pillar.gap_m,
          std::string(pillar.is_closed() ? "yes" : "no")},
         ""};
     for (const Eigen::Vector2d& p : pillar.outline.points)
@@ -371,6 +373,35 @@ VectorLayer LayerBuilder::control() const {
   return layer;
 }
 
+VectorLayer LayerBuilder::given_lines() const {
+  VectorLayer layer{"given_lines", Geometry::kLine, {{"layer", kText}, {"name", kText}}, {}};
+  for (const GivenLine& line : survey_.given_lines()) {
+    VectorFeature feature{{}, {line.layer, line.name}, line.name};
+    for (const Eigen::Vector2d& p : line.points) feature.points.emplace_back(p.x(), p.y(), 0.0);
+    if (feature.points.size() == 1) feature.points.push_back(feature.points.front());
+    layer.features.push_back(std::move(feature));
+  }
+  return layer;
+}
+
+VectorLayer LayerBuilder::approaches() const {
+  VectorLayer layer{"approaches",
+                    Geometry::kLine,
+                    {{"layer", kText},
+                     {"name", kText},
+                     {"distance_m", kNumber},
+                     {"distance_sd_m", kNumber},
+                     {"within", kText}},
+                    {}};
+  for (const CloseApproach& at : survey_.approaches()) {
+    layer.features.push_back({{in_grid(at.p_wall, 0.0), in_grid(at.p_given, 0.0)},
+                              {at.layer, at.name, at.distance_m.value, at.distance_m.sd,
+                               std::string(at.within ? "yes" : "no")},
+                              fmt::format("{:.1f} m", at.distance_m.value)});
+  }
+  return layer;
+}
+
 }  // namespace
 
 std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
@@ -388,6 +419,8 @@ std::vector<VectorLayer> survey_layers(const MineSurvey& survey) {
       builder.scans(),
       builder.traverse(),
       builder.control(),
+      builder.given_lines(),
+      builder.approaches(),
       water_layer(survey.water(), survey.frame(), survey.columns().cell_m)};
   std::erase_if(layers, [](const VectorLayer& layer) { return layer.features.empty(); });
   return layers;

@@ -40,6 +40,7 @@ const VectorLayer* find(const std::vector<VectorLayer>& layers, std::string_view
 Eigen::AlignedBox2d extent_of(const std::vector<VectorLayer>& layers) {
   Eigen::AlignedBox2d box;
   for (const VectorLayer& layer : layers) {
+    if (layer.name == "given_lines" || layer.name == "approaches") continue;  // may be far away
     for (const VectorFeature& feature : layer.features) {
       for (const Eigen::Vector3d& p : feature.points) box.extend(p.head<2>());
     }
@@ -181,8 +182,11 @@ void draw_plan(const std::vector<VectorLayer>& layers, const PlanView& view, Pdf
   draw_lines(find(layers, "walls"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "pillars"), view, {kBlack, 0.3}, page);
   draw_lines(find(layers, "centre_lines"), view, {kBlue, 0.15, true}, page);
+  draw_lines(find(layers, "given_lines"), view, {kOrange, 0.3, true}, page);
+  draw_lines(find(layers, "approaches"), view, {kOrange, 0.15}, page);
   Labels labels(page);  // the most important first
   draw_points(find(layers, "control"), view, Mark::kTriangle, kGreen, 2.4, page, labels);
+  draw_labels(find(layers, "approaches"), view, 2.4, kOrange, labels);
   draw_labels(find(layers, "centre_lines"), view, 2.8, kBlue, labels);
   draw_points(find(layers, "frontiers"), view, Mark::kCircle, kOrange, 1.4, page, labels);
   draw_points(find(layers, "sections"), view, Mark::kCross, kBlack, 0.8, page, labels);
@@ -241,7 +245,9 @@ double draw_legend(double left, double top, PdfPage& page) {
   name(7, "control point");
   sample(8, {kWater, 0.25});
   name(8, "standing water, hollow, flooded");
-  return row(9) + 3.0;
+  sample(9, {kOrange, 0.3, true});
+  name(9, "given line, its distance from the workings");
+  return row(10) + 3.0;
 }
 
 void draw_title_block(const PlanView& view, const PlanSheetText& text, PdfPage& page) {

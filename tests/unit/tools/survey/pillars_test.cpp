@@ -68,7 +68,7 @@ TEST(Pillars, AreLessCertainWhereTheirWallWasNotSeen) {
   EXPECT_EQ(whole.unseen_m, 0.0);
   EXPECT_TRUE(whole.is_closed());
   const Pillar part = pillars_of(room_unseen_for(1.8)).back();
-  EXPECT_NEAR(part.opening_m, 1.8 - 0.6, 0.25);  // what is near the ends counts as seen
+  EXPECT_NEAR(part.gap_m, 1.8 - 0.6, 0.25);  // what is near the ends counts as seen
   EXPECT_TRUE(part.is_closed());
   EXPECT_GT(part.area_m2.sd, whole.area_m2.sd);
   const Pillar open = pillars_of(room_unseen_for(4.0)).back();

@@ -220,6 +220,47 @@ TEST(MapMatching, ReturnsBothOfTwoSimilarPlaces) {
   EXPECT_TRUE(lies_at(7.0));
 }
 
+/// A straight tunnel with timber sets that stand 0.1 m out of smooth walls.
+test::WallWorld tunnel_with_timber_sets(double apart_m) {
+  std::vector<test::Segment> walls;
+  for (const double side : {-1.0, 1.0}) {
+    for (double x = -50.0 * apart_m; x < 50.0 * apart_m; x += apart_m) {
+      const std::vector<Eigen::Vector2d> corners{{x, 1.5 * side},
+                                                 {x, 1.4 * side},
+                                                 {x + 0.15, 1.4 * side},
+                                                 {x + 0.15, 1.5 * side},
+                                                 {x + apart_m, 1.5 * side}};
+      for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+        walls.push_back({corners[i], corners[i + 1]});
+    }
+  }
+  return test::WallWorld(walls);
+}
+
+/// Two maps that are one set nearer to each other have more walls in common, which all agree.
+TEST(MapMatching, DoesNotPreferTheNearerOfSimilarPlacesAlongATunnel) {
+  constexpr double kSetsApartM = 1.8;
+  const test::WallWorld tunnel = tunnel_with_timber_sets(kSetsApartM);
+  const Pose2 T_older_next{3.0 * kSetsApartM, 0.0, 0.0};
+  const Pose2 truth{7.0 * kSetsApartM, 0.0, 0.0};
+  const LocalWalls older = walls_of(tunnel, {});
+  const LocalWalls next = walls_of(tunnel, T_older_next, 5.0, 3);
+  const LocalWalls newer = walls_of(tunnel, truth, 5.0, 2);
+  const Eigen::Matrix3d of_next = Eigen::Vector3d(0.25, 4e-4, 1e-5).asDiagonal();
+  const auto found = match_maps(
+      newer, {{test::borrowed(older), {}}, {test::borrowed(next), T_older_next, 0.0, of_next}}, 7,
+      around(truth, 1.5, 0.02), {});
+  const auto likelihood_at = [&](double x) {
+    const auto place = std::ranges::find_if(found, [&](const LoopClosureAlternative& a) {
+      return std::abs(a.T_older_newer.x - x) < 0.3;
+    });
+    return place == found.end() ? -1.0 : place->log_likelihood;
+  };
+  ASSERT_GT(likelihood_at(truth.x), 0.0);
+  ASSERT_GT(likelihood_at(truth.x - kSetsApartM), 0.0);
+  EXPECT_GT(likelihood_at(truth.x), likelihood_at(truth.x - kSetsApartM) - 1.0);
+}
+
 TEST(MapMatching, FindsNothingInADifferentPlace) {
   const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
   const LocalWalls newer = walls_of(test::sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);

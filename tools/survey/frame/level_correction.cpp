@@ -90,7 +90,7 @@ std::vector<CellReturn> returns_around(const CloudStore& clouds, const LeveledSc
   for (const CloudLine& line : clouds.lines(scan.cloud)) {
     if (!is_at_place(clouds[scan.cloud], line)) continue;
     for (const Eigen::Vector3f& p_level : line.points) {
-      if (p_level.head<2>().norm() > static_cast<float>(kRangeMaxM)) continue;
+      if (!(p_level.head<2>().norm() <= static_cast<float>(kRangeMaxM))) continue;  // NaN too
       const Eigen::Vector3d p = scan.T_survey_level * Eigen::Vector3d(p_level.cast<double>());
       const Eigen::Vector2i cell = cell_of(p.head<2>(), kCellM);
       returns.push_back({cells.number_of(cell, p_level.z() > line.origin.z()), p.z()});

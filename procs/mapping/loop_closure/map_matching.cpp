@@ -365,7 +365,8 @@ class MapMatcher {
   [[nodiscard]] static std::vector<LoopClosureAlternative> distinct(
       const std::vector<RatedPlace>& sorted) {
     std::vector<LoopClosureAlternative> distinct_poses;
-    for (const auto& [alternative, observed_m] : sorted) {
+    for (const RatedPlace& place : sorted) {
+      const LoopClosureAlternative& alternative = place.alternative;
       const bool duplicate = std::any_of(
           distinct_poses.begin(), distinct_poses.end(),
           [&](const auto& other) { return same(alternative.T_older_newer, other.T_older_newer); });

@@ -60,7 +60,7 @@ std::string name_of(const OGRFeature& feature) {
   for (const char* field : {"name", "label", "Text", "id", "Layer"}) {
     const int i = feature.GetFieldIndex(field);  // without regard to case
     if (i < 0 || feature.IsFieldSetAndNotNull(i) == 0) continue;
-    if (const std::string text = feature.GetFieldAsString(i); !text.empty()) return text;
+    if (std::string text = feature.GetFieldAsString(i); !text.empty()) return text;
   }
   return std::to_string(feature.GetFID());
 }

@@ -21,8 +21,6 @@ namespace {
 
 constexpr double kPriorSdRad = 0.005;  // accelerometers and mounts
 constexpr double kScanSdRad = 0.0015;  // of a single scan: noise of the attitude
-constexpr double kMatchSdRad =
-    0.004;  // of the tilt between two scans, from relief seen differently
 constexpr double kCellM = 0.25;
 constexpr double kRangeMaxM = 9.0;
 constexpr double kFlatM = 0.1;          // spread of heights in a cell of floor or roof
@@ -60,7 +58,9 @@ class CellsAround {
   [[nodiscard]] static std::size_t count() { return std::size_t{2} * kSide * kSide; }
   [[nodiscard]] std::size_t number_of(const Eigen::Vector2i& cell, bool roof) const {
     const Eigen::Vector2i at = cell - low_;
-    return static_cast<std::size_t>(2 * (at.x() * kSide + at.y()) + (roof ? 1 : 0));
+    const auto x = static_cast<std::size_t>(at.x());
+    const auto y = static_cast<std::size_t>(at.y());
+    return 2 * (x * kSide + y) + (roof ? 1 : 0);
   }
   [[nodiscard]] Patch patch(std::size_t number, double z_m) const {
     const auto cell = static_cast<int>(number / 2);

@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kDirectionM = 1.5;      // to either side, over which the direction is taken
 constexpr double kSurfaceGapM = 0.3;     // between returns of one surface and of another behind it
-constexpr double kOutlierM = 0.1;        // from the surface
 constexpr double kBelowM = 4.0;          // of the path, where returns are looked for,
 constexpr double kAboveM = 12.0;         // and above it
 constexpr double kFloorShareM = 0.3;     // to either side of the centre line, for floor and roof

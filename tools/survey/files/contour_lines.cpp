@@ -15,10 +15,6 @@
 namespace adit {
 namespace {
 
-struct CloseRaster {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
 struct DestroyGenerator {
   void operator()(void* generator) const {
     GDAL_CG_Destroy(static_cast<GDALContourGeneratorH>(generator));

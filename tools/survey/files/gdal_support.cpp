@@ -15,6 +15,8 @@
 
 namespace adit {
 
+void CloseDataset::operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+
 void prepare_gdal() {
   GDALAllRegister();
   CPLSetErrorHandler(CPLQuietErrorHandler);

@@ -5,7 +5,14 @@
 #include <filesystem>
 #include <string>
 
+class GDALDataset;
+
 namespace adit {
+
+/// Closes a file of GDAL, for std::unique_ptr.
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const;
+};
 
 /// Makes the drivers of GDAL known. It prints no messages from then on: what fails is reported by
 /// `fail_gdal`. Any number of calls.

@@ -15,10 +15,6 @@
 namespace adit {
 namespace {
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
 struct FreeOptions {
   void operator()(char** options) const { CSLDestroy(options); }
 };

@@ -18,10 +18,6 @@
 namespace adit {
 namespace {
 
-struct CloseInput {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
 struct DestroyTransformation {
   void operator()(OGRCoordinateTransformation* transformation) const {
     OGRCoordinateTransformation::DestroyCT(transformation);
@@ -123,7 +119,7 @@ std::vector<GivenLine> read_given_lines(const std::filesystem::path& path,
                                         const std::string& crs_wkt) {
   prepare_gdal();
   CPLErrorReset();
-  const std::unique_ptr<GDALDataset, CloseInput> file(
+  const std::unique_ptr<GDALDataset, CloseDataset> file(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
   if (!file) {
     const std::string reason = CPLGetLastErrorMsg();

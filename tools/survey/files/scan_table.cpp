@@ -17,10 +17,6 @@
 namespace adit {
 namespace {
 
-struct CloseScanFile {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
 [[noreturn]] void fail_table(const std::filesystem::path& path, const std::string& reason) {
   throw FileError(message_line(fmt::format("{}: {}", path.string(), reason)));
 }
@@ -40,7 +36,7 @@ ScanTable read_scan_table(const std::filesystem::path& path) {
   prepare_gdal();
   CPLErrorReset();
   constexpr unsigned int kRead = GDAL_OF_VECTOR | GDAL_OF_READONLY;
-  const std::unique_ptr<GDALDataset, CloseScanFile> file(
+  const std::unique_ptr<GDALDataset, CloseDataset> file(
       GDALDataset::Open(path.c_str(), kRead, nullptr, nullptr, nullptr));
   if (!file) fail_table(path, "no such GeoPackage, or damaged");
   OGRLayer* const layer = file->GetLayerByName("scans");

@@ -16,10 +16,7 @@
 namespace adit {
 namespace {
 
-struct CloseVectorFile {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using VectorFile = std::unique_ptr<GDALDataset, CloseVectorFile>;
+using VectorFile = std::unique_ptr<GDALDataset, CloseDataset>;
 
 struct DestroyFeature {
   void operator()(OGRFeature* feature) const { OGRFeature::DestroyFeature(feature); }

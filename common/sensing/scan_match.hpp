@@ -51,7 +51,7 @@ struct ScanMatch {
   /// Beams of the scan that hit the ground or the roof, not a wall, in increasing order.
   std::vector<std::int32_t> ground_beams;
   /// Beams that hit what may be ground or roof, though no 3D scan shows whether, in increasing
-  /// order; empty before the first 3D scan.
+  /// order. Without 3D scans, whether any are taken for walls is up to who reads them.
   std::vector<std::int32_t> unconfirmed_beams;
 
   /// Covariance of T_reference_body: of (x, y, θ) in the body frame at `utime` [m, m, rad].

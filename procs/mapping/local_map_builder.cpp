@@ -68,7 +68,7 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
 
 std::optional<LocalMap> LocalMapBuilder::finish() {
   if (map_.scans.empty()) return std::nullopt;
-  LocalMap finished = std::move(map_);
+  LocalMap finished = take_map();
   map_ = {};
   map_.id = finished.id + 1;
   map_.session = finished.session + 1;
@@ -165,9 +165,17 @@ void LocalMapBuilder::begin(const Pose2& T_odom_local) {
   error_.reset();
 }
 
+/// Where no 3D scan will tell ground and walls apart, all surfaces are walls.
+LocalMap LocalMapBuilder::take_map() {
+  if (!sees_ground_) {
+    for (LocalScan& local : map_.scans) local.unconfirmed_beams.clear();
+  }
+  return std::move(map_);
+}
+
 LocalMap LocalMapBuilder::end() {
   continues_ = false;
-  LocalMap finished = std::move(map_);
+  LocalMap finished = take_map();
   map_ = {};
   map_.id = finished.id + 1;
   map_.session = finished.session;

@@ -65,6 +65,10 @@ class LocalMapBuilder {
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
                               const ScanMatch& match);
 
+  /// There are 3D scans, which tell ground and walls apart: unconfirmed beams, also those before
+  /// the first 3D scan of this local map, are not taken for walls.
+  void expect_ground() { sees_ground_ = true; }
+
   /// The body stands where a 3D scan was taken: the next scan that matches ends the current local
   /// map, unless that is too short.
   void begin_at_next_scan() { due_ = true; }
@@ -92,6 +96,7 @@ class LocalMapBuilder {
                                      const ScanMatch& match) const;
   void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
+  LocalMap take_map();
   LocalMap end();
 
   LocalMapBuilderParams params_;
@@ -106,6 +111,7 @@ class LocalMapBuilder {
   double distance_travelled_m_ = 0.0;
   double forward_m_ = 0.0;  ///< travelled forwards in the current local map
   double turn_rad_ = 0.0;
+  bool sees_ground_ = false;
   bool due_ = false;        ///< to end with the next scan
   bool continues_ = false;  ///< the current local map is the first of a later session
 };

@@ -120,6 +120,7 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   }
   builder_ = LocalMapBuilder(builder_params(params_), mounts_, maps_.back().id + 1,
                              maps_.back().session + 1);
+  if (!stored.cloud_matches.empty()) builder_.expect_ground();
   odom_ = Odom::kRestored;
   odom_continues_ = true;
   return update;
@@ -166,6 +167,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
 }
 
 void Mapping::add(const Cloud& cloud) {
+  builder_.expect_ground();
   if (builder_.current().scans.empty() || odom_ == Odom::kRestored) return;
   new_cloud_ = from_one_place(cloud);
   builder_.begin_at_next_scan();

@@ -229,7 +229,6 @@ ScanMatch ScanMatching::rejected(std::int64_t utime) const {
 std::vector<std::int32_t> ScanMatching::unconfirmed_beams(const ScanObservation& observation,
                                                           const Pose2& T_odom_body) const {
   std::vector<std::int32_t> beams;
-  if (!ground_.has_terrain()) return beams;
   const bool has_reference = reference_.has_laser(observation.laser);
   for (const SurfacePoint& point : observation.points) {
     if (!point.grade_group) continue;

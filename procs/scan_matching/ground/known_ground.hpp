@@ -27,8 +27,6 @@ class KnownGround {
   /// The ground under the body.
   void add(const Eigen::Vector2d& p_odom, double z_odom_m);
   void clear();
-  /// Whether a 3D scan was added.
-  [[nodiscard]] bool has_terrain() const { return !terrains_.empty(); }
   /// Whether a 3D scan showed ground that is not level with that under the body.
   [[nodiscard]] bool shows_slope() const { return shows_slope_; }
 

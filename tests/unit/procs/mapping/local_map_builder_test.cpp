@@ -38,6 +38,7 @@ class Feed {
     match.T_odom_body = T_odom_body_;
     match.channel = channel;
     match.covariance.diagonal() << 1e-4, 1e-4, 1e-5;
+    match.unconfirmed_beams = {3, 4};
     first_ = false;
     LaserScan scan;
     scan.utime = match.utime;
@@ -79,6 +80,32 @@ TEST(LocalMapBuilder, StartsAMapEveryFiveMetres) {
     EXPECT_EQ(feed.maps[k].end_utime, feed.maps[k].scans.back().scan.utime);
   }
   EXPECT_EQ(feed.builder().current().id, 2);
+}
+
+TEST(LocalMapBuilder, TakesAllSurfacesForWallsWithout3DScans) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 40; ++i) feed.step({0.15, 0.0, 0.0});
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 2U);
+  for (const LocalMap& map : feed.maps) {
+    for (const LocalScan& local : map.scans) EXPECT_TRUE(local.unconfirmed_beams.empty());
+  }
+}
+
+/// What the body saw before the first 3D scan, at the start, may be ground as well.
+TEST(LocalMapBuilder, KeepsTheUnconfirmedBeamsBeforeTheFirst3DScanOfALocalMap) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  feed.builder().expect_ground();
+  for (int i = 0; i < 40; ++i) feed.step({0.15, 0.0, 0.0});
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 2U);
+  for (const LocalMap& map : feed.maps) {
+    for (const LocalScan& local : map.scans) {
+      EXPECT_EQ(local.unconfirmed_beams, (std::vector<std::int32_t>{3, 4}));
+    }
+  }
 }
 
 TEST(LocalMapBuilder, SharesOneScanBetweenConsecutiveMaps) {

@@ -101,12 +101,12 @@ void expect_end_unconfirmed(const ScanMatch& match, double x_m) {
   EXPECT_LE(listed.back(), end.back() + kCornerBeams);
 }
 
-TEST(UnconfirmedBeams, AreNoneBeforeTheFirst3DScan) {
+TEST(UnconfirmedBeams, AreThoseAheadBeforeTheFirst3DScan) {
   Body body;
-  EXPECT_TRUE(body.scan_at(0.0).unconfirmed_beams.empty());
+  expect_end_unconfirmed(body.scan_at(0.0), 0.0);
   const ScanMatch match = body.scan_at(0.2);
   EXPECT_EQ(match.status, ScanMatch::Status::kMatched);
-  EXPECT_TRUE(match.unconfirmed_beams.empty());
+  expect_end_unconfirmed(match, 0.2);
 }
 
 TEST(UnconfirmedBeams, AreThoseAheadBeyondTheTerrain) {

@@ -71,16 +71,6 @@ TEST(KnownGround, TakesNoFootOfAWallAndNothingAboveItsTopForAWall) {
   EXPECT_EQ(at(3.11 + near_m + 0.01), Surface::kUnknown);
 }
 
-TEST(KnownGround, HasTerrainFromTheFirstMapOn) {
-  KnownGround ground;
-  ground.add(Eigen::Vector2d(0.0, 0.0), 0.0);
-  EXPECT_FALSE(ground.has_terrain());  // the driven ground is none
-  ground.add(ramp_with_wall(), kLevelM);
-  EXPECT_TRUE(ground.has_terrain());
-  ground.clear();
-  EXPECT_FALSE(ground.has_terrain());
-}
-
 TEST(KnownGround, RemembersTheGroundThatWasDrivenOn) {
   KnownGround ground;
   for (int i = 0; i < 20; ++i) ground.add(Eigen::Vector2d(0.25 * i, 0.0), 0.05 * i);

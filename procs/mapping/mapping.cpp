@@ -151,7 +151,7 @@ std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserSca
                                       const ScanMatch& match) {
   update_odom(match);
   auto map = builder_.add(channel, scan, match);
-  if (new_cloud_) place_cloud();
+  if (new_cloud_ && place_cloud()) rested_ = false;  // it may tell more of where the body rests
   if (map) return add_local_map(std::move(*map));
   const std::vector<LocalScan>& scans = builder_.current().scans;
   if (scans.empty()) return std::nullopt;
@@ -173,19 +173,21 @@ void Mapping::add(const Cloud& cloud) {
   builder_.begin_at_next_scan();
 }
 
-/// A cloud of the last odom frame has no place in the current local map.
-void Mapping::place_cloud() {
+/// A cloud of the last odom frame has no place in the current local map: false.
+bool Mapping::place_cloud() {
   const Cloud cloud = *std::exchange(new_cloud_, std::nullopt);
   const LocalMap& current = builder_.current();
-  if (current.scans.empty() || !odom_epoch_utime_ || cloud.utime < *odom_epoch_utime_) return;
+  if (current.scans.empty() || !odom_epoch_utime_ || cloud.utime < *odom_epoch_utime_) return false;
   clouds_.add(cloud, current.session,
               {cloud.utime, current.id, cloud.z_odom_m - current.z_odom_m, builder_.forward_m()},
               between(current.T_odom_local, cloud.T_odom_level));
+  return true;
 }
 
 /// The pose of a body that rests near home may depend on the wheels over two local maps, although
 /// it sees the walls of the first one. What it saw last is therefore matched as a local map that
-/// begins at the body, so that no displacement lies between, and is not stored.
+/// begins at the body, so that no displacement lies between, and is not stored. So are 3D scans
+/// that were taken there.
 void Mapping::localise_at_rest() {
   if (maps_.empty() || odom_ != Odom::kKnown || localization_ || !session_is_connected()) return;
   const Eigen::Matrix3d before_covariance = body_covariance();
@@ -197,13 +199,17 @@ void Mapping::localise_at_rest() {
     return;
   LazyAssociation::Checkpoint before = association_.checkpoint();
   const Pose2 T_odom_here = here.T_odom_local;
+  const Pose2 T_current_here = between(builder_.current().T_odom_local, T_odom_here);
   const int id = here.id;
   append_map(std::move(here));
   heights_.add_new(maps_.headers());
-  const auto decided =
-      association_.decide(loop_closures(id, association_.trial(), false), maps_.back().utime);
-  const bool found = std::ranges::any_of(
-      decided, [](const Association& a) { return a.chosen != Association::kNone; });
+  const auto decide = [&](std::vector<LoopClosure> loop_closures) {
+    return std::ranges::any_of(
+        association_.decide(std::move(loop_closures), maps_.back().utime),
+        [](const Association& a) { return a.chosen != Association::kNone; });
+  };
+  bool found = decide(loop_closures(id, association_.trial(), false));
+  found |= decide(matches_of_clouds_at(T_current_here));
   const std::vector<SessionRival> before_rivals = rivals_;
   update_rivals();
   const Eigen::Matrix3d covariance = association_.trial().covariance(0, id) + moment_of_rivals(id);
@@ -214,6 +220,38 @@ void Mapping::localise_at_rest() {
   association_.roll_back(std::move(before));
   remove_newest_map();
   update_heights();
+}
+
+/// The loop closures of the newest local map by the 3D scans of the unfinished one, in which the
+/// newest begins at this pose.
+std::vector<LoopClosure> Mapping::matches_of_clouds_at(const Pose2& T_current_here) {
+  const int id = maps_.back().id;
+  std::vector<LoopClosure> loop_closures;
+  for (MatchedClouds& matched : matches_of_clouds(id, T_current_here.inverse())) {
+    for (LoopClosureAlternative& alternative : matched.loop_closure.alternatives) {
+      const UncertainPose T_older_here =
+          UncertainPose{alternative.T_older_newer, alternative.information.inverse()} *
+          UncertainPose{T_current_here, Eigen::Matrix3d::Zero()};
+      alternative.T_older_newer = T_older_here.T_from_to;
+      alternative.information = T_older_here.covariance.inverse();
+    }
+    loop_closures.push_back(std::move(matched.loop_closure));
+  }
+  return loop_closures;
+}
+
+/// The 3D scans of a local map, which lies at `T_newest_map` in the newest one of the graph, matched
+/// with those of the same session.
+std::vector<MatchedClouds> Mapping::matches_of_clouds(int map, const Pose2& T_newest_map) {
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
+  return clouds_.matches(
+      map,
+      [&](int i) {
+        const Pose2& T_map_local = poses[static_cast<std::size_t>(i)];
+        return PlacedLocalMap{i == map ? T_map_local * T_newest_map : T_map_local,
+                              heights_.height_m(i)};
+      },
+      [&](int older) { return association_.trial().covariance(older, map); });
 }
 
 /// The last part of the unfinished local map, as a local map that begins at the body.
@@ -286,13 +324,7 @@ void Mapping::associate(MapUpdate& update) {
 /// Matches the 3D scans of the newest local map with those of the same session, and decides the
 /// loop closures.
 void Mapping::associate_clouds(MapUpdate& update) {
-  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  const std::vector<MatchedClouds> matches = clouds_.matches(
-      update.map.id,
-      [&](int i) {
-        return PlacedLocalMap{poses[static_cast<std::size_t>(i)], heights_.height_m(i)};
-      },
-      [&](int older) { return association_.trial().covariance(older, update.map.id); });
+  const std::vector<MatchedClouds> matches = matches_of_clouds(update.map.id, {});
   if (matches.empty()) return;
   std::vector<LoopClosure> loop_closures;
   for (const MatchedClouds& matched : matches) loop_closures.push_back(matched.loop_closure);

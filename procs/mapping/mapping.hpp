@@ -163,10 +163,12 @@ class Mapping : private Evidence {
   MapUpdate add_local_map(LocalMap map);
   void localise_at_rest();
   [[nodiscard]] LocalMap map_at_body() const;
+  [[nodiscard]] std::vector<LoopClosure> matches_of_clouds_at(const Pose2& T_current_here);
+  [[nodiscard]] std::vector<MatchedClouds> matches_of_clouds(int map, const Pose2& T_newest_map);
   void associate(MapUpdate& update);
   void associate_clouds(MapUpdate& update);
   void add_matches(std::span<const CloudMatch> matches);
-  void place_cloud();
+  bool place_cloud();
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);

@@ -162,6 +162,10 @@ std::optional<ExploreRequest> Mission::explore() {
 
 std::optional<ScanRequest> Mission::scan() {
   if (clock_.phase_age_s() > kScanTimeoutS) {
+    if (scans_at_home_) {
+      end_scan_at_home("no 3D scan arrives, looking from standstill");
+      return std::nullopt;
+    }
     if (++scan_tries_ > params_.failed_tries_max) {
       end(MissionOutcome::kStranded, "no 3D scan arrives");
       return std::nullopt;
@@ -301,8 +305,11 @@ void Mission::request_scan(LaserId laser, const std::string& reason) {
 /// A scan is incomplete if the robot moved or the laser timed out. It is repeated.
 void Mission::add_cloud(std::int32_t id, bool complete) {
   if (phase_.phase != Phase::kScan || id != phase_.goal_id || complete) return;
-  if (++scan_tries_ <= kIncompleteScansMax)
+  const bool at_home = scans_at_home_;
+  if (++scan_tries_ <= kIncompleteScansMax) {
     request_scan(phase_.laser, "the 3D scan is incomplete: scanning again");
+    scans_at_home_ = at_home;
+  }
 }
 
 void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
@@ -310,6 +317,10 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
   ++phase_.scans;
   inputs_.terrain_utime = utime;
   inputs_.terrain_distance_m = localization_.traversed_path().distance_travelled_m();
+  if (scans_at_home_) {
+    end_scan_at_home("the 3D scan is ready, comparing it with that of the start");
+    return;
+  }
   enter(Phase::kPlan, "the 3D scan is ready");
   if (auto known = known_path()) maneuver_ = std::move(*known);
 }
@@ -470,6 +481,7 @@ void Mission::enter(Phase phase, const std::string& reason) {
   phase_.reason = reason;
   if (phase == Phase::kExplore) ++explore_id_;
   if (phase != Phase::kExplore) looks_at_home_ = false;
+  scans_at_home_ = false;
   if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
 }
 

@@ -161,6 +161,8 @@ class Mission {
   void retry_near_home(const std::string& reason);
   void end_near_home(const std::string& reason);
   void end_at_home(const std::string& reason);
+  void end_scan_at_home(const std::string& reason);
+  [[nodiscard]] LaserId laser_as_at_start() const;
   bool end_unmeasured_at_start(const std::string& reason);
   [[nodiscard]] bool can_match_at_home(double uncertainty_m) const;
   void note_progress();
@@ -187,7 +189,9 @@ class Mission {
   HomeArrival home_arrival_;
   /// Before each drive near home for new matches with the local maps there, see end_at_home().
   std::vector<double> home_uncertainties_m_;
-  bool looks_at_home_ = false;             ///< stands there until mapping has matched what it sees
+  bool looks_at_home_ = false;    ///< stands there until mapping has matched what it sees
+  bool scans_at_home_ = false;    ///< the present 3D scan is to be compared with that of the start
+  bool scanned_at_home_ = false;  ///< since it came home
   std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
   double slope_ = 0.0;         ///< of the ground under the body, by the last match [m/m]
   double unlevelled_m_ = 0.0;  ///< distance travelled with unknown roll and pitch

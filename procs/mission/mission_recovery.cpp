@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recovery of Mission when no path is found or a drive fails, and the last metre to home.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -159,8 +160,9 @@ void Mission::end_near_home(const std::string& reason) {
 }
 
 /// Where the pose relative to home is too uncertain, the robot stands for some seconds, in which
-/// mapping matches what it sees. If that does not suffice it drives along the traversed path and
-/// comes home again: mapping then matches new local maps with those of the start. Without an IMU a
+/// mapping matches what it sees. If that does not suffice it takes a 3D scan, which mapping matches
+/// with those of the start, and then drives along the traversed path and comes home again: mapping
+/// then matches new local maps with those of the start. Without an IMU a
 /// slope displaces the map by more than it states, and nothing measures the slope.
 void Mission::end_at_home(const std::string& reason) {
   const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
@@ -175,6 +177,17 @@ void Mission::end_at_home(const std::string& reason) {
     return;
   }
   looks_at_home_ = false;
+  if (!is_sure && !scanned_at_home_) {
+    scanned_at_home_ = true;
+    scan_tries_ = 0;
+    request_scan(laser_as_at_start(),
+                 fmt::format("at home by the estimate, but the pose has an uncertainty of {:.2f} m "
+                             "(95 %): a 3D scan to compare with that of the start: {}",
+                             *uncertainty_m, reason));
+    scans_at_home_ = true;
+    return;
+  }
+  scanned_at_home_ = false;
   if (!is_sure && can_match_at_home(*uncertainty_m)) {
     home_uncertainties_m_.push_back(*uncertainty_m);
     begin(BackOff{PlanGoal::Kind::kRetrace, kMatchAtHomeM,
@@ -204,6 +217,18 @@ void Mission::end_at_home(const std::string& reason) {
       fmt::format("{} within {:.2f} m (95 %): {}",
                   is_sure ? "the robot is at home," : "at home by its own estimate, not sure:",
                   within_m, reason));
+}
+
+/// The one that looks into the mine, as the front laser did at the start.
+LaserId Mission::laser_as_at_start() const {
+  const bool turned = std::cos(localization_.T_odom_body()->theta) < 0.0;
+  return turned && params_.lasers.has_rear() ? LaserId::kRear : LaserId::kFront;
+}
+
+/// Mapping has some seconds to match the 3D scan.
+void Mission::end_scan_at_home(const std::string& reason) {
+  looks_at_home_ = true;
+  enter(Phase::kExplore, reason);
 }
 
 /// Where no sensor measures the motion, but the wheels have hardly rolled, the robot is at the

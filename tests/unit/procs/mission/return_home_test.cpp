@@ -96,8 +96,22 @@ class MissionAtHome : public ScriptedStages {
     wait(2.0);
     EXPECT_GT(explores_, explores);
   }
+  /// Then it takes a 3D scan and stands again.
+  void scan_to_compare() {
+    answer(Kind::kDone);
+    ASSERT_EQ(now(), Phase::kScan);
+    EXPECT_THAT(phase().reason, HasSubstr("a 3D scan to compare with that of the start"));
+    terrain();
+    ASSERT_EQ(now(), Phase::kExplore);
+    const int explores = explores_;
+    wait(4.0);
+    EXPECT_EQ(explores_, explores);
+    wait(2.0);
+    EXPECT_GT(explores_, explores);
+  }
   void expect_drive_for_a_match() {
     look();
+    scan_to_compare();
     answer(Kind::kDone);
     ASSERT_EQ(now(), Phase::kPlan);
     EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
@@ -155,6 +169,7 @@ TEST_F(MissionAtHome, IsNotSureIfThePoseStaysUncertain) {
   }
   map_with_body_sd(0.4);  // better, but the tries are used
   look();
+  scan_to_compare();
   answer(Kind::kDone);
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
@@ -167,6 +182,7 @@ TEST_F(MissionAtHome, DoesNotMatchAgainIfThatDoesNotHelp) {
   expect_drive_for_a_match();
   map_with_body_sd(0.6);
   look();
+  scan_to_compare();
   answer(Kind::kDone);
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHomeUncertain);
@@ -176,6 +192,47 @@ TEST_F(MissionAtHome, LooksFromStandstillBeforeItDrivesForAMatch) {
   map_with_body_sd(0.4);
   look();
   map_with_body_sd(0.1);  // mapping has matched what is seen
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+}
+
+TEST_F(MissionAtHome, ComparesA3DScanWithThatOfTheStartBeforeItDrivesForAMatch) {
+  map_with_body_sd(0.4);
+  look();
+  scan_to_compare();
+  map_with_body_sd(0.05);  // mapping has matched it
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+}
+
+/// The front laser looked into the mine at the start.
+TEST_F(MissionAtHome, ScansWithTheLaserThatLooksAsTheFrontOneDidAtTheStart) {
+  map_with_body_sd(0.4);
+  look();
+  scan_to_compare();
+  EXPECT_EQ(phase().laser, LaserId::kFront);
+}
+
+TEST_F(MissionAtHome, ScansWithTheRearLaserIfItHasTurned) {
+  heading_ = std::numbers::pi;
+  tick();
+  map_with_body_sd(0.4);
+  look();
+  scan_to_compare();
+  EXPECT_EQ(phase().laser, LaserId::kRear);
+}
+
+TEST_F(MissionAtHome, EndsWithoutA3DScanThatDoesNotArrive) {
+  map_with_body_sd(0.4);
+  look();
+  answer(Kind::kDone);
+  ASSERT_EQ(now(), Phase::kScan);
+  wait(31.0);
+  ASSERT_EQ(now(), Phase::kExplore);
+  map_with_body_sd(0.1);
+  wait(6.0);
   answer(Kind::kDone);
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);

@@ -32,7 +32,9 @@ struct TerrainCell {
   float high_m = 0.0F;  ///< highest point within the vehicle's height above `low_m`
   float coefficient_m =
       0.0F;  ///< navigational coefficient, high_m − low_m: difficulty of traversal
-  float clearance_m = 0.0F;  ///< from `low_m` to the roof; infinite without a roof
+  /// From `low_m` to the roof; infinite without a roof; NaN if something nearer hides whether there
+  /// is one within the height of the vehicle.
+  float clearance_m = 0.0F;
   float slope_rad = 0.0F;    ///< slope of a plane fitted to the surrounding ground
   float step_m = 0.0F;       ///< largest ground difference to a neighbouring cell
   float repulsion_m = 0.0F;  ///< surrounding coefficients weighted by a kernel that repels paths

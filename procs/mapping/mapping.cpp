@@ -204,9 +204,8 @@ void Mapping::localise_at_rest() {
   append_map(std::move(here));
   heights_.add_new(maps_.headers());
   const auto decide = [&](std::vector<LoopClosure> loop_closures) {
-    return std::ranges::any_of(
-        association_.decide(std::move(loop_closures), maps_.back().utime),
-        [](const Association& a) { return a.chosen != Association::kNone; });
+    return std::ranges::any_of(association_.decide(std::move(loop_closures), maps_.back().utime),
+                               [](const Association& a) { return a.chosen != Association::kNone; });
   };
   bool found = decide(loop_closures(id, association_.trial(), false));
   found |= decide(matches_of_clouds_at(T_current_here));
@@ -240,8 +239,8 @@ std::vector<LoopClosure> Mapping::matches_of_clouds_at(const Pose2& T_current_he
   return loop_closures;
 }
 
-/// The 3D scans of a local map, which lies at `T_newest_map` in the newest one of the graph, matched
-/// with those of the same session.
+/// The 3D scans of a local map, which lies at `T_newest_map` in the newest one of the graph,
+/// matched with those of the same session.
 std::vector<MatchedClouds> Mapping::matches_of_clouds(int map, const Pose2& T_newest_map) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   return clouds_.matches(

@@ -15,6 +15,7 @@
 namespace adit {
 namespace {
 
+constexpr double kWellKnown = 0.5;       // share of the allowed uncertainty of the pose at home
 constexpr double kBackOffBesideM = 1.2;  // from the nose to the centre of the vehicle
 // Before the place where paths end: the steepest beams reach the ground so far ahead of the nose.
 constexpr double kApproachMarginM = 1.0;
@@ -159,16 +160,18 @@ void Mission::end_near_home(const std::string& reason) {
                           home_arrival_.distance_m(*localization_.T_odom_body()), reason));
 }
 
-/// Where the pose relative to home is too uncertain, the robot stands for some seconds, in which
+/// Where the pose relative to home is not well known, the robot stands for some seconds, in which
 /// mapping matches what it sees. If that does not suffice it takes a 3D scan, which mapping matches
-/// with those of the start, and then drives along the traversed path and comes home again: mapping
-/// then matches new local maps with those of the start. Without an IMU a
-/// slope displaces the map by more than it states, and nothing measures the slope.
+/// with those of the start. If the pose is still too uncertain it drives along the traversed path
+/// and comes home again: mapping then matches new local maps with those of the start. Without an
+/// IMU a slope displaces the map by more than it states, and nothing measures the slope.
 void Mission::end_at_home(const std::string& reason) {
   const std::optional<double> uncertainty_m = localization_.home_uncertainty_m();
   if (!uncertainty_m) return end(MissionOutcome::kHome, "the robot is at home: " + reason);
   const bool is_sure = *uncertainty_m <= params_.home_uncertainty_max_m && !home_unknown();
-  if (!is_sure && !looks_at_home_) {
+  const bool is_well_known =
+      is_sure && *uncertainty_m <= kWellKnown * params_.home_uncertainty_max_m;
+  if (!is_well_known && !looks_at_home_) {
     looks_at_home_ = true;
     enter(Phase::kExplore,
           fmt::format("at home by the estimate, but the pose has an uncertainty of {:.2f} m (95 "
@@ -177,7 +180,7 @@ void Mission::end_at_home(const std::string& reason) {
     return;
   }
   looks_at_home_ = false;
-  if (!is_sure && !scanned_at_home_) {
+  if (!is_well_known && !scanned_at_home_) {
     scanned_at_home_ = true;
     scan_tries_ = 0;
     request_scan(laser_as_at_start(),

@@ -104,6 +104,18 @@ void set_heights(TerrainMap& map, const RegionHeights& regions, const GroundLeve
   });
 }
 
+/// Where the floor is seen but not what is above it within the headroom: behind the lip of a low
+/// roof or a beam, which hides it.
+void set_hidden_headroom(TerrainMap& map, const PassingBeams& beams, double headroom_m) {
+  const auto least_m = static_cast<float>(headroom_m);
+  for_each_cell(map, [&](int column, int row, std::size_t i) {
+    TerrainCell& cell = map.cells[i];
+    if (cell.ground != Ground::kObserved || !std::isinf(cell.clearance_m)) return;
+    const float free_m = beams.free_up_to_m(map.centre(column, row).cast<float>());
+    if (free_m < cell.low_m + least_m) cell.clearance_m = kUnknown;
+  });
+}
+
 void set_differences(TerrainMap& map) {
   for (TerrainCell& cell : map.cells) {
     cell.coefficient_m = cell.high_m - cell.low_m;
@@ -142,6 +154,7 @@ TerrainMap Terrain::heights(const Cloud& cloud) const {
   const GroundLevel ground(map, observed, heights.trend(), params_);
   set_heights(map, regions, ground);
   classify_unseen_ground(map, cloud, heights, ground, beams, params_);
+  set_hidden_headroom(map, beams, params_.headroom_m());
   set_obstacle_parts(map, cloud, params_.vehicle);
   return map;
 }

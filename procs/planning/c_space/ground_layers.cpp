@@ -152,6 +152,7 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
   if (std::isnan(cell.coefficient_m)) return Reason::kUnknown;
   // The belly comes before the roof: a wall extends above the vehicle and must not count as a roof.
   if (cell.coefficient_m > vehicle.belly_clearance_m - limits.belly_margin_m) return Reason::kBelly;
+  if (std::isnan(cell.clearance_m)) return Reason::kUnknown;
   if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
   const double step = std::fmax(cell.coefficient_m, cell.step_m);  // fmax ignores one NaN
   if (step > vehicle.step_max_m - limits.step_margin_m) return Reason::kStep;
@@ -173,8 +174,11 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
       const auto reason = lethal_reason(cell, vehicle, limits);
       const Eigen::Vector2d p_level = terrain.centre(column, row);
       const bool under_robot = footprint.contains(T_body_level * p_level);
-      const bool blind = reason == Reason::kUnknown && blind_zone.contains(p_level);
+      const bool blind = reason == Reason::kUnknown && cell.ground != Ground::kObserved &&
+                         blind_zone.contains(p_level);
       if (!blind) classify(layers, i, reason);
+      // What hides the headroom is too low itself: the body must not be there.
+      if (reason == Reason::kUnknown && cell.ground == Ground::kObserved) layers.under_body[i] = 1;
       if (reason && blocks_body(*reason)) {
         layers.displacement_m[i] =
             leaning.displacement_m(column, row, contact_height_m(cell, *reason));

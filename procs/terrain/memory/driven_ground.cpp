@@ -13,6 +13,7 @@ namespace adit {
 namespace {
 
 constexpr float kUnknownHeight = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoRoof = std::numeric_limits<float>::infinity();
 constexpr double kObservedShare = 0.2;  // share of the cells under the body that must be observed
 constexpr float kInterpolationMaxM = 3.0F;  // of path length, between two heights
 constexpr float kExtrapolationMaxM = 0.5F;  // of path length, beyond the last height
@@ -121,6 +122,7 @@ void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>&
   for (const BodyPose& pose : poses_) {
     visit_cells(map, pose.T_level_body, Eigen::Vector2d::Zero(), grown, [&](std::size_t i) {
       TerrainCell& cell = map.cells[i];
+      if (std::isnan(cell.clearance_m)) cell.clearance_m = kNoRoof;
       // Regions enlarge obstacles, and odom is inaccurate by centimetres.
       const bool was_obstacle =
           is_obstacle(cell, belly_m) && pose.distance_travelled_m > observed_at_m[i] + kSinceM;

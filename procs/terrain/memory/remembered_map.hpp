@@ -37,7 +37,7 @@ inline bool is_unknown(const TerrainCell& cell) {
 struct RememberedCell {
   float low_m = 0.0F;
   float high_m = 0.0F;
-  float roof_m = 0.0F;  ///< infinite if none was observed
+  float roof_m = 0.0F;  ///< infinite if none was observed, NaN if it was hidden
   std::uint16_t count = 0;
   Ground ground = Ground::kNeverObserved;
   bool invalidated = false;          ///< changed since older scans, which no longer count here

@@ -77,7 +77,8 @@ void replace(TerrainCell& cell, const RememberedCell& before) {
   cell.count = before.count;
   cell.low_m = before.low_m;
   cell.high_m = before.high_m;
-  cell.clearance_m = std::min(cell.clearance_m, before.roof_m);
+  const bool is_hidden = std::isinf(cell.clearance_m) && std::isnan(before.roof_m);
+  cell.clearance_m = is_hidden ? before.roof_m : std::min(cell.clearance_m, before.roof_m);
   cell.obstacle_parts = before.obstacle_parts;
 }
 
@@ -120,7 +121,8 @@ bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float o
       cell.low_m > before.low_m + kLowerM) {
     cell.low_m = before.low_m;  // the new scan observed only an obstacle, not the ground below
   }
-  if (std::isinf(cell.clearance_m) && before.ground == Ground::kObserved) {
+  if (!std::isfinite(cell.clearance_m) && before.ground == Ground::kObserved &&
+      !std::isnan(before.roof_m)) {
     cell.clearance_m =
         cell.low_m +
         (before.roof_m - before.low_m);  // keeps the clearance, not the height of the roof

@@ -13,7 +13,9 @@ namespace adit {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
-constexpr float kBeyondM = 0.3F;       // by which a beam ends beyond the places that it passes over
+constexpr float kBeyondM = 0.3F;  // by which a beam ends beyond the places that it passes over
+constexpr float kUnevenM = 0.3F;  // before the places that a beam shows to be free
+constexpr float kFarM = 1e3F;
 constexpr float kRangeLeastM = 0.05F;  // below it a slope is not significant
 
 /// A beam in its vertical plane.
@@ -56,6 +58,46 @@ void set_heights_of_second(std::vector<Beam>& beams, float cell_m, std::span<flo
   }
 }
 
+/// From the highest beam downwards: at each distance the second beam that reaches it counts, or the
+/// end of the one above, whichever is higher: a roof goes on between two beams. Not limited where
+/// the highest two reach.
+void set_highest(std::vector<Beam>& beams, float cell_m, std::span<float> heights_m) {
+  std::sort(beams.begin(), beams.end(), [](const Beam& a, const Beam& b) {
+    return std::tie(b.slope, a.range_m, a.z_m) < std::tie(a.slope, b.range_m, b.z_m);
+  });
+  std::size_t once = 0;
+  std::size_t twice = 0;
+  std::size_t farthest = 0;  // the beam that reaches `once`; all others so far end at `twice`
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const Beam& beam = beams[i];
+    const std::size_t above = farthest + 1 == i ? 2 : 1;
+    const float ended_z_m = i < above ? kNone : beams[i - above].z_m;
+    const float reached_m = std::min(beam.range_m + kUnevenM, kFarM);
+    const auto end = std::min(static_cast<std::size_t>(reached_m / cell_m), heights_m.size());
+    for (; twice < std::min(once, end); ++twice) {
+      const float range_m = (static_cast<float>(twice) + 0.5F) * cell_m;
+      heights_m[twice] = std::max(ended_z_m, beam.z_m - beam.slope * (beam.range_m - range_m));
+    }
+    if (end > once) {
+      once = end;
+      farthest = i;
+    }
+  }
+}
+
+/// Beams without a return reach any distance.
+void add_misses(std::span<const CloudLine* const> lines, std::vector<std::vector<Beam>>& sectors) {
+  for (const CloudLine* line : lines) {
+    for (const Eigen::Vector3f& direction : line->misses) {
+      const float horizontal = direction.head<2>().norm();
+      if (!is_usable(direction) || !(horizontal > 0.0F)) continue;
+      const float slope = direction.z() / horizontal;
+      sectors[SectorBeams::sector(direction.x(), direction.y())].push_back(
+          {slope, kFarM, line->origin.z() + slope * kFarM});
+    }
+  }
+}
+
 }  // namespace
 
 PassingBeams::PassingBeams(const Cloud& cloud, const TerrainMap& map, double margin_m)
@@ -64,11 +106,16 @@ PassingBeams::PassingBeams(const Cloud& cloud, const TerrainMap& map, double mar
     const Eigen::Vector3f origin = mean_origin(lines);
     const auto bins = static_cast<std::size_t>(reach_m(map, origin) / cell_m_) + 2;
     Viewpoint viewpoint{origin.head<2>(), bins,
+                        std::vector<float>(SectorBeams::kSectors * bins, kNone),
                         std::vector<float>(SectorBeams::kSectors * bins, kNone)};
     auto sectors = beams_by_sector(lines);
     for (std::size_t i = 0; i < sectors.size(); ++i) {
       set_heights_of_second(sectors[i], cell_m_,
                             std::span(viewpoint.heights_m).subspan(i * bins, bins));
+    }
+    add_misses(lines, sectors);
+    for (std::size_t i = 0; i < sectors.size(); ++i) {
+      set_highest(sectors[i], cell_m_, std::span(viewpoint.highest_m).subspan(i * bins, bins));
     }
     viewpoints_.push_back(std::move(viewpoint));
   }
@@ -79,16 +126,31 @@ Eigen::Vector2d PassingBeams::p_level_laser() const {
   return viewpoints_.front().origin.cast<double>();
 }
 
+std::optional<std::size_t> PassingBeams::Viewpoint::index(const Eigen::Vector2f& p_level,
+                                                          float cell_m) const {
+  const Eigen::Vector2f d = p_level - origin;
+  const auto bin = static_cast<std::size_t>(d.norm() / cell_m);
+  if (bin >= bins) return std::nullopt;
+  return SectorBeams::sector(d.x(), d.y()) * bins + bin;
+}
+
 float PassingBeams::height_m(const Eigen::Vector2f& p_level) const {
   float least = kNone;
   for (const Viewpoint& viewpoint : viewpoints_) {
-    const Eigen::Vector2f d = p_level - viewpoint.origin;
-    const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
-    if (bin >= viewpoint.bins) continue;
-    const std::size_t sector = SectorBeams::sector(d.x(), d.y());
-    least = std::min(least, viewpoint.heights_m[sector * viewpoint.bins + bin]);
+    const auto i = viewpoint.index(p_level, cell_m_);
+    if (i) least = std::min(least, viewpoint.heights_m[*i]);
   }
   return least;
+}
+
+/// From any of the viewpoints.
+float PassingBeams::free_up_to_m(const Eigen::Vector2f& p_level) const {
+  float most = viewpoints_.empty() ? kNone : -kNone;
+  for (const Viewpoint& viewpoint : viewpoints_) {
+    const auto i = viewpoint.index(p_level, cell_m_);
+    most = std::max(most, i ? viewpoint.highest_m[*i] : kNone);
+  }
+  return most;
 }
 
 }  // namespace adit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,9 +13,11 @@
 
 namespace adit {
 
-/// Heights of the lowest beams that pass over each place and end beyond it. Ground is never above
-/// them: points that are show something that hangs over the place, for example a roof that falls
-/// behind an edge. No class of the points is needed, only where each beam ends.
+/// Heights of the lowest and the highest beams that pass over each place and end beyond it. Ground
+/// is never above the lowest: points that are show something that hangs over the place, for example
+/// a roof that falls behind an edge. Above the highest nothing is known if what higher beams hit
+/// before hides it: behind the lip of a low roof the floor may be seen and the roof not. No class
+/// of the points is needed, only where each beam ends.
 class PassingBeams {
  public:
   /// `margin_m`: by which points are above beams that pass below them.
@@ -26,6 +29,10 @@ class PassingBeams {
     return z_m > height_m(p_level) + margin_m_;
   }
 
+  /// z in level [m] up to which a place is seen to be free; infinite if nothing nearer hides what
+  /// is above.
+  [[nodiscard]] float free_up_to_m(const Eigen::Vector2f& p_level) const;
+
   /// Where the first lines begin; the origin without any.
   [[nodiscard]] Eigen::Vector2d p_level_laser() const;
 
@@ -35,6 +42,11 @@ class PassingBeams {
     Eigen::Vector2f origin;
     std::size_t bins;
     std::vector<float> heights_m;
+    std::vector<float> highest_m;
+
+    /// Of a place among these heights; empty if it is too far away.
+    [[nodiscard]] std::optional<std::size_t> index(const Eigen::Vector2f& p_level,
+                                                   float cell_m) const;
   };
 
   /// z in level [m] of the second lowest beam over a point, since a single one may be a reflection;

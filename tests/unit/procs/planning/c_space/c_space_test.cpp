@@ -3,6 +3,7 @@
 #include "procs/planning/c_space/c_space.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -190,6 +191,20 @@ TEST(CSpace, IsLethalAtALowRoofWaterADropAndASlope) {
     EXPECT_EQ(Mapped(terrain).at({0.0, 0.0, 0.0}), CSpace::kLethal);
     EXPECT_EQ(Mapped(terrain).at({0.0, -2.0, 0.0}), CSpace::kEven);
   }
+}
+
+/// Behind the lip of a low roof the floor is seen, and not what is above it.
+TEST(CSpace, DoesNotTakeTheBodyWhereTheHeadroomIsHidden) {
+  const float hidden_m = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(lethal_reason(roofed_cell(hidden_m), Vehicle{}, {}), BlockingCell::Reason::kUnknown);
+  TerrainMap terrain = even_ground(8.0, kCellM);
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    terrain.cells.at({terrain.cells.columns() / 2, row}) = roofed_cell(hidden_m);
+  }
+  const double middle_m = terrain.centre(terrain.cells.columns() / 2, 0).x();
+  const Mapped mapped(terrain);
+  EXPECT_EQ(mapped.at({middle_m, 0.0, 0.0}), CSpace::kLethal);
+  EXPECT_LT(mapped.at({middle_m - 2.0, 0.0, 0.0}), CSpace::kUnknown);
 }
 
 TEST(CSpace, ToleratesALimitedShareOfUnobservedGroundUnderTheWheels) {

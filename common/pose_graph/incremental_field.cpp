@@ -156,6 +156,18 @@ double IncrementalField::objective_increase(const PoseConstraint& c) const {
   return Gd.dot(solve_symmetric(S, Gd));
 }
 
+Eigen::Matrix3d IncrementalField::response(int node, int id) const {
+  if (node == 0) return Eigen::Matrix3d::Zero();
+  const PoseConstraint& c = constraints_[at(id)];
+  const LinearPotential p = adit::linearise(c, poses_[at(c.from)], poses_[at(c.to)]);
+  Eigen::Matrix3d of_residual = Eigen::Matrix3d::Zero();  // its covariance with the node
+  if (c.from != 0) of_residual += p.jacobian_from() * tree_.covariance(c.from - 1, node - 1);
+  if (c.to != 0) of_residual += p.J_to * tree_.covariance(c.to - 1, node - 1);
+  const LinearPotential in_first =
+      adit::linearise(PoseConstraint{}, poses_.front(), poses_[at(node)]);
+  return in_first.J_to * of_residual.transpose() * c.information;
+}
+
 /// As in GaussianField: at the linearisation, against the identity.
 Eigen::Matrix3d IncrementalField::relative_covariance(int from, int to) const {
   return covariance(from, to, adit::linearise(PoseConstraint{}, poses_[at(from)], poses_[at(to)]));

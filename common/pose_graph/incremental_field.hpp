@@ -60,6 +60,11 @@ class IncrementalField {
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, expressed in that frame.
   [[nodiscard]] Eigen::Matrix3d relative_covariance(int from, int to) const;
 
+  /// How the mode of a node follows an error of the measurement of a constraint: from (x, y, θ) of
+  /// the error, in the frame of the measurement, to that of the node in node 0, in the frame of
+  /// that. The sum of K R⁻¹ Kᵀ over all constraints is the covariance of the node.
+  [[nodiscard]] Eigen::Matrix3d response(int node, int id) const;
+
   [[nodiscard]] const BayesTree& tree() const { return tree_; }
 
  private:

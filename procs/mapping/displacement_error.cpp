@@ -52,6 +52,8 @@ void DisplacementError::reset() {
   earlier_scale_error_ += scale_error_;
   if (!measured_by_wheels) earlier_scale_error_.setZero();
   scale_error_.setZero();
+  common_scale_error_.setZero();
+  common_scale_sd_ = 0.0;
   path_m_ = 0.0;
   filled_m_ = 0.0;
   accumulated_ = {};
@@ -69,6 +71,7 @@ void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& matc
   accumulated_.move(Ad);
   unobserved_.move(Ad);
   scale_error_ = Ad * scale_error_;
+  common_scale_error_ = Ad * common_scale_error_;
   earlier_scale_error_ = Ad * earlier_scale_error_;
   path_m_ += T_last_body.translation().norm();
   disagreement_ = Ad * disagreement_;
@@ -210,17 +213,25 @@ void DisplacementError::add_filled(const Pose2& T_last_body, const ScanMatch& ma
     error.common_root = scale_error * Eigen::RowVector3d::UnitX();
     accumulated_.add(error);
     scale_error_ += scale_error;
+    const double common_sd =
+        std::sqrt(std::max(0.0, square(scale_sd(match)) - square(params_.wheels_scale_sd)));
+    common_scale_error_ += common_sd * along_m * u;
+    common_scale_sd_ = std::max(common_scale_sd_, common_sd);
     filled_m_ += std::abs(along_m);
   }
 }
 
-/// What the error of scale adds because it is that of the stretch before, too: of the square of the
-/// sum of both, the mixed term. Only where it adds up, not in reverse.
-Eigen::Matrix3d DisplacementError::earlier_scale_covariance() const {
+/// How many times the covariance contains that of the error of scale: once, and as it is that of
+/// the stretch before, too, by the mixed term of the square of the sum of both. Only where it adds
+/// up, not in reverse.
+double DisplacementError::scale_covariances() const {
   const double squared = scale_error_.squaredNorm();
-  if (!(squared > 0.0)) return Eigen::Matrix3d::Zero();
-  const double mixed = std::max(0.0, 2.0 * earlier_scale_error_.dot(scale_error_) / squared);
-  return mixed * scale_error_ * scale_error_.transpose();
+  if (!(squared > 0.0)) return 0.0;
+  return 1.0 + std::max(0.0, 2.0 * earlier_scale_error_.dot(scale_error_) / squared);
+}
+
+WheelScaleError DisplacementError::wheel_scale_error() const {
+  return {common_scale_error_, common_scale_sd_, scale_covariances()};
 }
 
 DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
@@ -253,7 +264,8 @@ Eigen::Matrix3d DisplacementError::covariance() const {
   ErrorCovariance all = accumulated_;
   all.add(unobserved_);
   const Eigen::Vector3d slip = farther(slip_ + comparison_.unexplained(), largest_slip_);
-  Eigen::Matrix3d covariance = all.sum() + earlier_scale_covariance() +
+  const double earlier = std::max(0.0, scale_covariances() - 1.0);
+  Eigen::Matrix3d covariance = all.sum() + earlier * scale_error_ * scale_error_.transpose() +
                                0.25 * disagreement_ * disagreement_.transpose() +
                                0.25 * slip * slip.transpose();
   covariance.diagonal() +=

@@ -53,6 +53,15 @@ struct DisplacementErrorParams {
   }
 };
 
+/// The part of the error of a displacement that comes from the scale of the wheels, as far as that
+/// is less known than `DisplacementErrorParams::wheels_scale_sd`: it is the same in all of them.
+struct WheelScaleError {
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();  ///< of (x, y, θ) by one standard deviation
+  double scale_sd = 0.0;                            ///< this standard deviation [m/m]
+  /// The covariance of the displacement contains error · errorᵀ so many times.
+  double times = 0.0;
+};
+
 /// Estimates the error of the displacement of the body over some metres by scan matching. Scan
 /// matching matches each scan against the walls of many metres, so the errors of its steps mostly
 /// cancel, and the sum of their covariances is not the error of the displacement. What remains is a
@@ -93,6 +102,8 @@ class DisplacementError {
 
   /// Covariance of (x, y, θ) in the present body frame [m, m, rad]. Positive definite.
   [[nodiscard]] Eigen::Matrix3d covariance() const;
+  /// In the present body frame.
+  [[nodiscard]] WheelScaleError wheel_scale_error() const;
 
  private:
   /// A covariance: the part that is independent from step to step, and the root of the part common
@@ -127,7 +138,7 @@ class DisplacementError {
   [[nodiscard]] double scale_sd(const ScanMatch& match) const;
   [[nodiscard]] ErrorCovariance wheels_error(const Pose2& wheels_step, double scale_sd) const;
   void add_filled(const Pose2& T_last_body, const ScanMatch& match);
-  [[nodiscard]] Eigen::Matrix3d earlier_scale_covariance() const;
+  [[nodiscard]] double scale_covariances() const;
   void end_unobserved_stretch();
   void add_disagreement(const Pose2& T_last_body, const ScanMatch& match);
 
@@ -136,6 +147,8 @@ class DisplacementError {
   ErrorCovariance unobserved_;                             ///< of the current unobserved stretch
   Eigen::Vector3d scale_error_ = Eigen::Vector3d::Zero();  ///< of the wheels, one sd of the scale
   Eigen::Vector3d earlier_scale_error_ = Eigen::Vector3d::Zero();  ///< of the stretch before it
+  Eigen::Vector3d common_scale_error_ = Eigen::Vector3d::Zero();   ///< part of the first, see above
+  double common_scale_sd_ = 0.0;                                   ///< the largest
   double path_m_ = 0.0;
   double filled_m_ = 0.0;  ///< of it, by the wheels
   double unobserved_m_ = 0.0;

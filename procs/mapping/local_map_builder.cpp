@@ -78,7 +78,9 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
 
 void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last,
                                        const LocalMap& discarded) {
+  scale_errors_.erase(map_.id);
   --map_.id;
+  scale_errors_.erase(map_.id);
   const UncertainPose T_last_local{map_.T_previous_local, map_.information.inverse()};
   const UncertainPose T_before_local = T_before_last * T_last_local;
   map_.T_previous_local = T_before_local.T_from_to;
@@ -181,6 +183,8 @@ LocalMap LocalMapBuilder::end() {
   map_.session = finished.session;
   map_.T_previous_local = between(finished.T_odom_local, T_odom_body_);
   map_.information = error_.covariance().inverse();
+  const WheelScaleError scale_error = error_.wheel_scale_error();
+  if (scale_error.scale_sd > 0.0) scale_errors_[map_.id] = scale_error;
   map_.climb_m = finished.scans.back().z_m;
   map_.forward_m = forward_m_;
   return finished;

@@ -84,6 +84,14 @@ class LocalMapBuilder {
   [[nodiscard]] double forward_m() const { return forward_m_; }
   /// The current local map; without scans before the first scan and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
+  /// Of the displacements that end at local maps of this builder, by their ids, in their frames.
+  [[nodiscard]] const std::map<int, WheelScaleError>& wheel_scale_errors() const {
+    return scale_errors_;
+  }
+  /// Of the body's last pose in the frame of the current local map, in the body frame.
+  [[nodiscard]] WheelScaleError wheel_scale_error_body() const {
+    return error_.wheel_scale_error();
+  }
   /// Covariance of the body's last pose in the frame of the current local map: of (x, y, θ) in the
   /// body frame.
   [[nodiscard]] Eigen::Matrix3d covariance_local_body() const { return error_.covariance(); }
@@ -104,6 +112,7 @@ class LocalMapBuilder {
   DisplacementError error_;
   WheelSteps wheels_;
   LocalMap map_;
+  std::map<int, WheelScaleError> scale_errors_;   ///< by the local map where the displacement ends
   std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame began
   Pose2 T_odom_body_;                             ///< of the last match
   Pose2 T_odom_stored_;                           ///< of the last stored scan, of any laser

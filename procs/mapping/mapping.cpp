@@ -13,6 +13,7 @@
 #include <Eigen/LU>
 
 #include "common/sensing/seconds.hpp"
+#include "procs/mapping/common_scale_error.hpp"
 
 namespace adit {
 namespace {
@@ -201,6 +202,7 @@ void Mapping::localise_at_rest() {
   const Pose2 T_odom_here = here.T_odom_local;
   const Pose2 T_current_here = between(builder_.current().T_odom_local, T_odom_here);
   const int id = here.id;
+  const WheelScaleError last_error = scale_error_since_newest();
   append_map(std::move(here));
   heights_.add_new(maps_.headers());
   const auto decide = [&](std::vector<LoopClosure> loop_closures) {
@@ -211,7 +213,12 @@ void Mapping::localise_at_rest() {
   found |= decide(matches_of_clouds_at(T_current_here));
   const std::vector<SessionRival> before_rivals = rivals_;
   update_rivals();
-  const Eigen::Matrix3d covariance = association_.trial().covariance(0, id) + moment_of_rivals(id);
+  std::vector<WheelScaleError> errors = scale_errors_from_first(id, id);
+  if (const auto response = association_.trial().displacement_response(id, id)) {
+    errors.push_back({*response * last_error.error, last_error.scale_sd, last_error.times});
+  }
+  const Eigen::Matrix3d covariance = association_.trial().covariance(0, id) + moment_of_rivals(id) +
+                                     common_scale_covariance(std::move(errors));
   rivals_ = before_rivals;
   if (found && position_sd_m(covariance) < position_sd_m(before_covariance)) {
     at_rest_ = {association_.hypothesis().T_map_local.back() * T_odom_here.inverse(), covariance};
@@ -418,6 +425,29 @@ void Mapping::update_covariance_from_first() {
   if (maps_.size() < 2) return;
   const int newest = static_cast<int>(maps_.size()) - 1;
   covariance_from_first_ = association_.trial().covariance(0, newest) + moment_of_rivals(newest);
+  scale_errors_from_first_ = scale_errors_from_first(newest, newest + 1);
+}
+
+/// How the scale of the wheels affects the pose of a local map in the first one, by the
+/// displacements of this session that end before `end`.
+std::vector<WheelScaleError> Mapping::scale_errors_from_first(int map, int end) {
+  std::vector<WheelScaleError> errors;
+  for (const auto& [to, error] : builder_.wheel_scale_errors()) {
+    if (to >= end) break;
+    const auto response = association_.trial().displacement_response(map, to);
+    if (response) errors.push_back({*response * error.error, error.scale_sd, error.times});
+  }
+  return errors;
+}
+
+/// Of the body relative to the newest local map, in the body frame.
+WheelScaleError Mapping::scale_error_since_newest() const {
+  const LocalMap& current = builder_.current();
+  const auto& errors = builder_.wheel_scale_errors();
+  const auto of_current = errors.find(current.id);
+  return composed(of_current != errors.end() ? of_current->second : WheelScaleError{},
+                  builder_.wheel_scale_error_body(),
+                  adjoint(current.scans.back().T_local_body.inverse()));
 }
 
 void Mapping::update_rivals() {
@@ -456,10 +486,15 @@ Eigen::Matrix3d Mapping::body_covariance() const {
   UncertainPose T_first_body{{}, covariance_from_first_};
   if (current.session != maps_.back().session || current.scans.empty())
     return T_first_body.covariance;
+  const Pose2& T_current_body = current.scans.back().T_local_body;
   T_first_body = T_first_body *
                  UncertainPose{current.T_previous_local, current.information.inverse()} *
-                 UncertainPose{current.scans.back().T_local_body, builder_.covariance_local_body()};
-  return T_first_body.covariance;
+                 UncertainPose{T_current_body, builder_.covariance_local_body()};
+  const Eigen::Matrix3d to_body = adjoint((current.T_previous_local * T_current_body).inverse());
+  std::vector<WheelScaleError> errors = scale_errors_from_first_;
+  for (WheelScaleError& error : errors) error.error = to_body * error.error;
+  errors.push_back(scale_error_since_newest());
+  return T_first_body.covariance + common_scale_covariance(std::move(errors));
 }
 
 void Mapping::append_map(LocalMap map) {

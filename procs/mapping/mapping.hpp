@@ -24,6 +24,7 @@
 #include "common/types/map_contradictions.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 #include "procs/mapping/association/session_rivals.hpp"
+#include "procs/mapping/displacement_error.hpp"
 #include "procs/mapping/joining/run_join.hpp"
 #include "procs/mapping/level_error.hpp"
 #include "procs/mapping/local_map_builder.hpp"
@@ -182,6 +183,8 @@ class Mapping : private Evidence {
   void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
   void update_covariance_from_first();
+  [[nodiscard]] std::vector<WheelScaleError> scale_errors_from_first(int map, int end);
+  [[nodiscard]] WheelScaleError scale_error_since_newest() const;
   void update_rivals();
   [[nodiscard]] Eigen::Matrix3d moment_of_rivals(int map) const;
   void widen_to_rivals(int map, std::vector<NearMap>& near) const;
@@ -243,6 +246,8 @@ class Mapping : private Evidence {
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
   /// Of the newest local map relative to local map 0, in the frame of the newest.
   Eigen::Matrix3d covariance_from_first_ = Eigen::Matrix3d::Zero();
+  /// Effects of the scale of the wheels on that pose, in the same frame.
+  std::vector<WheelScaleError> scale_errors_from_first_;
   /// The pose of the body by a discarded local map, later than all stored ones.
   struct Localization {
     std::int64_t utime = 0;

@@ -30,6 +30,9 @@ class MapField {
   [[nodiscard]] bool is_mostly_far() const;
 
   [[nodiscard]] const IncrementalField& field() const { return field_; }
+  /// The constraint in the field that is the displacement of a map, not the first, from the one
+  /// before.
+  [[nodiscard]] int displacement(int map) const { return chain_[as_index(map) - 1]; }
   /// T_map_local of all maps at the mode.
   [[nodiscard]] const std::vector<Pose2>& poses() const { return poses_; }
   /// The largest turn of a map by the mode that is not linearised yet [rad].

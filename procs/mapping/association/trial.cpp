@@ -26,9 +26,15 @@ double largest_turn(const Eigen::VectorXd& mode) {
 }
 
 /// A covariance of (x, y, θ) in the frame of the older map, turned into that of the newer one.
-Eigen::Matrix3d in_frame_of_newer(const Eigen::Matrix3d& covariance, const Pose2& T_older_newer) {
+/// Of (x, y, θ), from the frame of the older map to that of the newer.
+Eigen::Matrix3d rotation_to_newer(const Pose2& T_older_newer) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
+  return R;
+}
+
+Eigen::Matrix3d in_frame_of_newer(const Eigen::Matrix3d& covariance, const Pose2& T_older_newer) {
+  const Eigen::Matrix3d R = rotation_to_newer(T_older_newer);
   return R * covariance * R.transpose();
 }
 
@@ -255,6 +261,13 @@ Eigen::Matrix3d Trial::covariance(int older, int map) {
   const std::vector<Pose2> nodes = field().poses();
   return in_frame_of_newer(field().relative_covariance(node(older), node(map)),
                            between(nodes[as_index(node(older))], nodes[as_index(node(map))]));
+}
+
+std::optional<Eigen::Matrix3d> Trial::displacement_response(int map, int to) const {
+  if (map_field_ == nullptr) return std::nullopt;
+  const std::vector<Pose2>& poses = map_field_->poses();
+  return rotation_to_newer(between(poses.front(), poses[as_index(map)])) *
+         map_field_->field().response(map, map_field_->displacement(to));
 }
 
 std::vector<NearMap> Trial::near_maps(int map, std::span<const double> reach_m, double sigmas) {

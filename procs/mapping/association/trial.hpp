@@ -83,6 +83,10 @@ class Trial {
   /// The same for one map; in a map field without those of the others.
   [[nodiscard]] Eigen::Matrix3d covariance(int older, int map);
 
+  /// How the pose of `map` in map 0 follows an error of the displacement that ends at `to`, both of
+  /// (x, y, θ), in the frames of `map` and of `to`. Empty outside a map field.
+  [[nodiscard]] std::optional<Eigen::Matrix3d> displacement_response(int map, int to) const;
+
   /// The maps before `map` of which something within `reach_m` of the origin, by map, may be within
   /// the reach of `map`, in the gate of `sigmas` standard deviations of their relative position;
   /// some others too. In a map field the cost depends on how many there are: a stretch of the path

@@ -103,6 +103,16 @@ class GrowingGraph {
     }
   }
 
+  /// Of a node in node 0, by what each constraint contributes.
+  [[nodiscard]] Eigen::Matrix3d covariance_by_responses(int node) const {
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const int id : ids_) {
+      const Eigen::Matrix3d K = field.response(node, id);
+      covariance += K * field.constraint(id).information.inverse() * K.transpose();
+    }
+    return covariance;
+  }
+
   int below(int n) { return static_cast<int>(random_() % static_cast<std::uint32_t>(n)); }
 
   IncrementalField field{1e-10};
@@ -127,6 +137,18 @@ class GrowingGraph {
   std::vector<int> ids_;    // of the graph's constraints
   std::vector<int> loops_;  // ids
 };
+
+TEST(IncrementalField, CovarianceIsTheSumOfTheResponsesToAllConstraints) {
+  const PoseGraph source = test::square_trajectory_graph(60, 5, 0.05, 3);
+  GrowingGraph growing(source, 3);
+  while (growing.nodes() < 60) growing.add_node();
+  for (int i = 0; i < 20; ++i) growing.add_loop();
+  growing.field.update();
+  for (const int node : {1, 20, 59}) {
+    const Eigen::Matrix3d expected = growing.field.relative_covariance(0, node);
+    EXPECT_LT((growing.covariance_by_responses(node) - expected).norm(), 1e-9 * expected.norm());
+  }
+}
 
 class IncrementalFieldOfSeed : public testing::TestWithParam<std::uint32_t> {};
 

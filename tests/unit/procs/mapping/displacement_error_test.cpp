@@ -175,6 +175,30 @@ TEST(DisplacementError, OfTheScaleOfWheelsVanishesThereAndBack) {
   EXPECT_NEAR(sd(error, 0), sd(closed, 0), 1e-9);
 }
 
+/// What is less known of the scale than it can be is the same error in all displacements.
+TEST(DisplacementError, StatesTheErrorOfTheScaleThatIsCommonToAll) {
+  const DisplacementErrorParams params = without_walk();
+  ScanMatch match = open_along_x(DegenerateDirection::Fill::kOdometry);
+  match.wheels_scale_sd = 0.05;
+  const double common_sd = std::sqrt(0.05 * 0.05 - params.wheels_scale_sd * params.wheels_scale_sd);
+  DisplacementError error{params};
+  for (int map = 1; map <= 3; ++map) {
+    error.reset();
+    drive(error, match, 50);
+    const WheelScaleError scale_error = error.wheel_scale_error();
+    EXPECT_NEAR(scale_error.error.x(), common_sd * 5.0, 1e-9);
+    EXPECT_NEAR(scale_error.scale_sd, common_sd, 1e-12);
+    EXPECT_NEAR(scale_error.times, 2.0 * map - 1.0, 1e-9);
+  }
+  error.reset();
+  reverse(error, match, 50);
+  EXPECT_NEAR(error.wheel_scale_error().error.x(), -common_sd * 5.0, 1e-9);
+  EXPECT_NEAR(error.wheel_scale_error().times, 1.0, 1e-9);
+  error.reset();
+  drive(error, matched(), 50);
+  EXPECT_EQ(error.wheel_scale_error().scale_sd, 0.0);
+}
+
 TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTime) {
   const DisplacementErrorParams params;
   DisplacementError error{params};

@@ -20,8 +20,8 @@ namespace adit {
 struct CloudMatchingParams {
   /// Of pairs of 3D scans of random mines the errors along the displacement had 0.3 to 1.4 times
   /// the variance that follows (cloud_matching_table).
-  CloudRegistrationParams registration{.coarse_m = 0.3,
-                                       .fine_m = 0.1,
+  CloudRegistrationParams registration{.coarse_m = 0.4,
+                                       .fine_m = 0.15,
                                        .range_max_m = 20.0,
                                        .patches_per_measurement = 20.0,
                                        .spurious_ratio = 1.0,

@@ -237,6 +237,7 @@ void Mission::set_target(const ExplorationReport& report) {
   if (home && !phase_.returning_home) phase_.return_home_reason = decision.reason;
   if (!home && !return_is_final_) phase_.return_home_reason.clear();
   phase_.returning_home = home || return_is_final_;
+  if (!home) scanned_at_home_ = false;
   phase_.frontier = frontier_of(decision);
   target_.is_straight_ahead = false;
   if (recovery_.set_target(phase_.frontier, home)) {

@@ -224,7 +224,8 @@ void Mission::end_at_home(const std::string& reason) {
 
 /// The one that looks into the mine, as the front laser did at the start.
 LaserId Mission::laser_as_at_start() const {
-  const bool turned = std::cos(localization_.T_odom_body()->theta) < 0.0;
+  const std::optional<Pose2>& T_odom_body = localization_.T_odom_body();
+  const bool turned = T_odom_body && std::cos(T_odom_body->theta) < 0.0;
   return turned && params_.lasers.has_rear() ? LaserId::kRear : LaserId::kFront;
 }
 

@@ -25,7 +25,6 @@ double largest_turn(const Eigen::VectorXd& mode) {
   return turn;
 }
 
-/// A covariance of (x, y, θ) in the frame of the older map, turned into that of the newer one.
 /// Of (x, y, θ), from the frame of the older map to that of the newer.
 Eigen::Matrix3d rotation_to_newer(const Pose2& T_older_newer) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();

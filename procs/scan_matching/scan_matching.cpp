@@ -85,6 +85,35 @@ std::optional<int> grade_group_of(const SurfacePoint& point, double laser_m) {
   return point.p.x() > 0.0 ? 0 : 1;
 }
 
+/// Whether two neighbouring points lie on one surface.
+bool are_of_one_surface(const SurfacePoint& a, const SurfacePoint& b) {
+  constexpr double kApartM = 0.5;
+  constexpr double kNormalCosine = 0.87;  // of 30°
+  return (a.p - b.p).norm() < kApartM && a.normal.dot(b.normal) > kNormalCosine;
+}
+
+/// Of the points that may be ground or roof, `groups` by point, those that are not known to be
+/// wall. A surface is one or the other: where it meets a side wall the terrain shows an obstacle,
+/// which is that wall, and a few points of ground that count as wall take the pose along as the
+/// body pitches.
+void set_grade_groups(std::vector<SurfacePoint>& points,
+                      const std::vector<std::optional<int>>& groups,
+                      const std::vector<bool>& is_unknown) {
+  for (std::size_t begin = 0; begin < points.size();) {
+    std::size_t end = begin + 1;
+    auto unknown = static_cast<std::size_t>(is_unknown[begin] ? 1 : 0);
+    while (end < points.size() && groups[begin] && groups[end] == groups[begin] &&
+           are_of_one_surface(points[end - 1], points[end])) {
+      unknown += is_unknown[end] ? 1 : 0;
+      ++end;
+    }
+    const bool mostly_unknown = 2 * unknown > end - begin;
+    for (; begin < end; ++begin) {
+      if (mostly_unknown || is_unknown[begin]) points[begin].grade_group = groups[begin];
+    }
+  }
+}
+
 /// The measured beams that these beams show, each once, in order.
 std::vector<std::int32_t> measured_beams(const StillScan& still, std::vector<std::int32_t> beams) {
   if (still.beam_of.empty()) return beams;
@@ -282,6 +311,8 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   std::vector<SurfacePoint> walls;
   walls.reserve(points.size());
   std::vector<std::int32_t> ground_beams;
+  std::vector<std::optional<int>> groups;
+  std::vector<bool> unknown;
   // Without an IMU ground is taken for level until a 3D scan shows that it is not.
   const bool ground_may_slope = attitude_.attitude() || ground_.shows_slope();
   for (SurfacePoint& point : points) {
@@ -294,11 +325,13 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
       ground_beams.push_back(point.beam);
       continue;
     }
-    if (ground_may_slope && is_unknown) point.grade_group = grade_group_of(point, mount.height_m);
+    groups.push_back(ground_may_slope ? grade_group_of(point, mount.height_m) : std::nullopt);
+    unknown.push_back(is_unknown);
     if (!attitude_.attitude()) point.pitch_sd_rad = known ? kGroundPitchSd : kUnknownPitchSd;
     point.z_m += z_m_;
     walls.push_back(point);
   }
+  set_grade_groups(walls, groups, unknown);
   return {laser, std::move(walls), FreeSpace(scan, mount, attitude, z_m_), std::move(ground_beams)};
 }
 

@@ -118,6 +118,27 @@ TEST(UnconfirmedBeams, AreThoseAheadBeyondTheTerrain) {
   EXPECT_TRUE(match.ground_beams.empty());
 }
 
+/// Where the end meets the side walls the terrain shows obstacles, which are these walls.
+TEST(UnconfirmedBeams, AreAllOfOneSurfaceAlsoBesideASideWall) {
+  TerrainMap terrain = level_ground(8.0);
+  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
+    const Eigen::Vector2i at = terrain.cells.cell(i);
+    const Eigen::Vector2d p = terrain.centre(at.x(), at.y());
+    if (p.x() < 4.0) continue;
+    const bool beside_wall = std::abs(p.y()) > kHalfWidthM - 0.35;
+    terrain.cells[i].coefficient_m = beside_wall ? 1.9F : 0.02F;
+    if (!beside_wall) terrain.cells[i].ground = Ground::kNeverObserved;
+  }
+  Body body;
+  body.scan_at(0.0);
+  body.add(std::move(terrain));
+  const ScanMatch match = body.scan_at(0.0);
+  for (const std::int32_t beam :
+       {78, 79, 80, 90, 100, 101, 102}) {  // the corners are at 76 and 104
+    EXPECT_TRUE(std::ranges::binary_search(match.unconfirmed_beams, beam)) << beam;
+  }
+}
+
 TEST(UnconfirmedBeams, AreNotThoseToObservedRock) {
   Body body;
   body.scan_at(0.0);

@@ -68,12 +68,21 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
 
 std::optional<LocalMap> LocalMapBuilder::finish() {
   if (map_.scans.empty()) return std::nullopt;
-  LocalMap finished = take_map();
+  LocalMap finished = std::move(map_);
   map_ = {};
+  withheld_.clear();
   map_.id = finished.id + 1;
   map_.session = finished.session + 1;
   continues_ = true;
   return finished;
+}
+
+/// From one place a surface ahead looks the same whether it is ground or a wall.
+void LocalMapBuilder::expect_ground() {
+  if (std::exchange(sees_ground_, true) || distance_travelled_m_ >= params_.split_min_m) return;
+  for (std::size_t i = 0; i < withheld_.size(); ++i) {
+    map_.scans[i].unconfirmed_beams = std::move(withheld_[i]);
+  }
 }
 
 void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last,
@@ -156,28 +165,22 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
     map_.z_odom_m = match.z_m;
   }
   map_.scans.push_back(local_scan(channel, scan, match));
+  if (!sees_ground_) withheld_.push_back(std::exchange(map_.scans.back().unconfirmed_beams, {}));
 }
 
 void LocalMapBuilder::begin(const Pose2& T_odom_local) {
   T_odom_stored_ = T_odom_local;
   last_stored_.clear();
+  withheld_.clear();
   distance_travelled_m_ = 0.0;
   forward_m_ = 0.0;
   turn_rad_ = 0.0;
   error_.reset();
 }
 
-/// Where no 3D scan will tell ground and walls apart, all surfaces are walls.
-LocalMap LocalMapBuilder::take_map() {
-  if (!sees_ground_) {
-    for (LocalScan& local : map_.scans) local.unconfirmed_beams.clear();
-  }
-  return std::move(map_);
-}
-
 LocalMap LocalMapBuilder::end() {
   continues_ = false;
-  LocalMap finished = take_map();
+  LocalMap finished = std::move(map_);
   map_ = {};
   map_.id = finished.id + 1;
   map_.session = finished.session;

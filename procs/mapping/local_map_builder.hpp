@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/config/bounds.hpp"
 #include "common/sensing/scan_match.hpp"
@@ -65,9 +66,10 @@ class LocalMapBuilder {
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
                               const ScanMatch& match);
 
-  /// There are 3D scans, which tell ground and walls apart: unconfirmed beams, also those before
-  /// the first 3D scan of this local map, are not taken for walls.
-  void expect_ground() { sees_ground_ = true; }
+  /// Without 3D scans all surfaces are walls. Now there are some, which tell ground and walls
+  /// apart: unconfirmed beams are not taken for walls any more. Nor are those before the first 3D
+  /// scan, if that is made where the local map begins.
+  void expect_ground();
 
   /// The body stands where a 3D scan was taken: the next scan that matches ends the current local
   /// map, unless that is too short.
@@ -104,7 +106,6 @@ class LocalMapBuilder {
                                      const ScanMatch& match) const;
   void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
-  LocalMap take_map();
   LocalMap end();
 
   LocalMapBuilderParams params_;
@@ -121,6 +122,8 @@ class LocalMapBuilder {
   double forward_m_ = 0.0;  ///< travelled forwards in the current local map
   double turn_rad_ = 0.0;
   bool sees_ground_ = false;
+  /// Of the scans of the current local map, their unconfirmed beams; until `sees_ground_`.
+  std::vector<std::vector<std::int32_t>> withheld_;
   bool due_ = false;        ///< to end with the next scan
   bool continues_ = false;  ///< the current local map is the first of a later session
 };

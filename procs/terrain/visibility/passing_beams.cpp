@@ -59,7 +59,7 @@ void set_heights_of_second(std::vector<Beam>& beams, float cell_m, std::span<flo
 }
 
 /// From the highest beam downwards: at each distance the second beam that reaches it counts, or the
-/// end of the one above, whichever is higher: a roof goes on between two beams. Not limited where
+/// end of the one above, whichever is higher: a roof continues between two beams. Not limited where
 /// the highest two reach.
 void set_highest(std::vector<Beam>& beams, float cell_m, std::span<float> heights_m) {
   std::sort(beams.begin(), beams.end(), [](const Beam& a, const Beam& b) {

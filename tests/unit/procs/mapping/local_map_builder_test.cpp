@@ -108,6 +108,21 @@ TEST(LocalMapBuilder, KeepsTheUnconfirmedBeamsBeforeTheFirst3DScanOfALocalMap) {
   }
 }
 
+/// Over metres of driving scan matching has found the surface in one place.
+TEST(LocalMapBuilder, TakesSurfacesThatItDroveTowardsBeforeTheFirst3DScanForWalls) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 20; ++i) feed.step({0.15, 0.0, 0.0});
+  const std::size_t before = feed.builder().current().scans.size();
+  feed.builder().expect_ground();
+  for (int i = 0; i < 10; ++i) feed.step({0.15, 0.0, 0.0});
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 1U);
+  for (std::size_t i = 0; i < feed.maps[0].scans.size(); ++i) {
+    EXPECT_EQ(feed.maps[0].scans[i].unconfirmed_beams.empty(), i < before);
+  }
+}
+
 TEST(LocalMapBuilder, SharesOneScanBetweenConsecutiveMaps) {
   Feed feed;
   feed.scan(Status::kFirstScan);
@@ -175,6 +190,7 @@ TEST(LocalMapBuilder, StoresTheScansOfEachLaser) {
 
 TEST(LocalMapBuilder, PassesOnUnconfirmedBeamsAndRemovesGround) {
   LocalMapBuilder builder{LocalMapBuilderParams{}};
+  builder.expect_ground();
   ScanMatch match;
   match.status = Status::kFirstScan;
   match.utime = 1'000'000'000;
@@ -319,6 +335,7 @@ TEST(LocalMapBuilder, StoresASlowScanWithoutTheMotionOfTheBody) {
   match.T_reference_body = {0.1 * kSpeedMS, 0.0, 0.0};
   match.ground_beams = {kGroundBeam};
   match.unconfirmed_beams = {kUnconfirmedBeam};
+  builder.expect_ground();
   builder.add(kFront, scan, match);
 
   ASSERT_EQ(builder.current().scans.size(), 1U);

@@ -6,14 +6,19 @@
 
 namespace adit {
 
+WheelScaleError moved(const Eigen::Matrix3d& effect, WheelScaleError error) {
+  error.error = effect * error.error;
+  return error;
+}
+
 /// If both cancel, nothing of what the covariance contains is taken for common.
 WheelScaleError composed(const WheelScaleError& first, const WheelScaleError& second,
                          const Eigen::Matrix3d& to_second) {
-  const Eigen::Vector3d moved = to_second * first.error;
-  WheelScaleError both{moved + second.error, std::max(first.scale_sd, second.scale_sd), 0.0};
+  const Eigen::Vector3d of_first = moved(to_second, first).error;
+  WheelScaleError both{of_first + second.error, std::max(first.scale_sd, second.scale_sd), 0.0};
   const double squared = both.error.head<2>().squaredNorm();
   if (!(squared > 0.0)) return both;
-  const double contained = first.times * moved.head<2>().squaredNorm() +
+  const double contained = first.times * of_first.head<2>().squaredNorm() +
                            second.times * second.error.head<2>().squaredNorm();
   both.times = std::min(contained / squared, std::max(first.times, second.times));
   return both;

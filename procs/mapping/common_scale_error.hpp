@@ -10,6 +10,9 @@
 
 namespace adit {
 
+/// What an error does elsewhere, by the linear effect of (x, y, θ) there on (x, y, θ) here.
+WheelScaleError moved(const Eigen::Matrix3d& effect, WheelScaleError error);
+
 /// The error of two successive displacements of a path as one, in the frame of the second.
 /// `to_second`: the adjoint that moves an error of the first there.
 WheelScaleError composed(const WheelScaleError& first, const WheelScaleError& second,

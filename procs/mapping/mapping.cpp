@@ -215,7 +215,7 @@ void Mapping::localise_at_rest() {
   update_rivals();
   std::vector<WheelScaleError> errors = scale_errors_from_first(id, id);
   if (const auto response = association_.trial().displacement_response(id, id)) {
-    errors.push_back({*response * last_error.error, last_error.scale_sd, last_error.times});
+    errors.push_back(moved(*response, last_error));
   }
   const Eigen::Matrix3d covariance = association_.trial().covariance(0, id) + moment_of_rivals(id) +
                                      common_scale_covariance(std::move(errors));
@@ -435,7 +435,7 @@ std::vector<WheelScaleError> Mapping::scale_errors_from_first(int map, int end) 
   for (const auto& [to, error] : builder_.wheel_scale_errors()) {
     if (to >= end) break;
     const auto response = association_.trial().displacement_response(map, to);
-    if (response) errors.push_back({*response * error.error, error.scale_sd, error.times});
+    if (response) errors.push_back(moved(*response, error));
   }
   return errors;
 }
@@ -492,7 +492,7 @@ Eigen::Matrix3d Mapping::body_covariance() const {
                  UncertainPose{T_current_body, builder_.covariance_local_body()};
   const Eigen::Matrix3d to_body = adjoint((current.T_previous_local * T_current_body).inverse());
   std::vector<WheelScaleError> errors = scale_errors_from_first_;
-  for (WheelScaleError& error : errors) error.error = to_body * error.error;
+  for (WheelScaleError& error : errors) error = moved(to_body, error);
   errors.push_back(scale_error_since_newest());
   return T_first_body.covariance + common_scale_covariance(std::move(errors));
 }

@@ -306,11 +306,8 @@ void Mission::request_scan(LaserId laser, const std::string& reason) {
 /// A scan is incomplete if the robot moved or the laser timed out. It is repeated.
 void Mission::add_cloud(std::int32_t id, bool complete) {
   if (phase_.phase != Phase::kScan || id != phase_.goal_id || complete) return;
-  const bool at_home = scans_at_home_;
-  if (++scan_tries_ <= kIncompleteScansMax) {
+  if (++scan_tries_ <= kIncompleteScansMax)
     request_scan(phase_.laser, "the 3D scan is incomplete: scanning again");
-    scans_at_home_ = at_home;
-  }
 }
 
 void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
@@ -482,7 +479,7 @@ void Mission::enter(Phase phase, const std::string& reason) {
   phase_.reason = reason;
   if (phase == Phase::kExplore) ++explore_id_;
   if (phase != Phase::kExplore) looks_at_home_ = false;
-  scans_at_home_ = false;
+  if (phase != Phase::kScan) scans_at_home_ = false;
   if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
 }
 

@@ -181,13 +181,12 @@ void Mission::end_at_home(const std::string& reason) {
   }
   looks_at_home_ = false;
   if (!is_well_known && !scanned_at_home_) {
-    scanned_at_home_ = true;
+    scans_at_home_ = scanned_at_home_ = true;
     scan_tries_ = 0;
     request_scan(laser_as_at_start(),
                  fmt::format("at home by the estimate, but the pose has an uncertainty of {:.2f} m "
                              "(95 %): a 3D scan to compare with that of the start: {}",
                              *uncertainty_m, reason));
-    scans_at_home_ = true;
     return;
   }
   scanned_at_home_ = false;

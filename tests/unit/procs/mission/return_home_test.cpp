@@ -85,16 +85,19 @@ class MissionAtHome : public ScriptedStages {
     arrive();
     ASSERT_EQ(now(), Phase::kExplore);
   }
-  /// The robot stands and exploration is not asked, until mapping has matched what is seen.
-  void look() {
-    answer(Kind::kDone);
-    ASSERT_EQ(now(), Phase::kExplore);
-    EXPECT_THAT(phase().reason, HasSubstr("looking from standstill"));
+  /// Exploration is not asked until mapping has matched what is seen.
+  void stand() {
     const int explores = explores_;
     wait(4.0);
     EXPECT_EQ(explores_, explores);
     wait(2.0);
     EXPECT_GT(explores_, explores);
+  }
+  void look() {
+    answer(Kind::kDone);
+    ASSERT_EQ(now(), Phase::kExplore);
+    EXPECT_THAT(phase().reason, HasSubstr("looking from standstill"));
+    stand();
   }
   /// Then it takes a 3D scan and stands again.
   void scan_to_compare() {
@@ -103,11 +106,7 @@ class MissionAtHome : public ScriptedStages {
     EXPECT_THAT(phase().reason, HasSubstr("a 3D scan to compare with that of the start"));
     terrain();
     ASSERT_EQ(now(), Phase::kExplore);
-    const int explores = explores_;
-    wait(4.0);
-    EXPECT_EQ(explores_, explores);
-    wait(2.0);
-    EXPECT_GT(explores_, explores);
+    stand();
   }
   void expect_drive_for_a_match() {
     look();

@@ -114,18 +114,50 @@ class Parser {
   [[nodiscard]] G2oGraph graph() const {
     G2oGraph result;
     const std::map<long, int> index = index_nodes(result);
-    for (const Edge& edge : edges_) {
-      PoseConstraint constraint = edge.constraint;
-      constraint.from = index_of(index, edge.from, edge.line);
-      constraint.to = index_of(index, edge.to, edge.line);
-      result.graph.constraints.push_back(constraint);
-    }
+    result.graph.constraints = constraints(index);
     if (vertices_.empty()) chain_odometry(result.graph);
-    check_fixed(result);
+    check_fixed(result.ids);
+    return result;
+  }
+
+  [[nodiscard]] G2oRun run(const G2oGraph& before) const {
+    std::map<long, int> index;
+    for (std::size_t i = 0; i < before.ids.size(); ++i) {
+      index.emplace_hint(index.end(), before.ids[i], static_cast<int>(i));
+    }
+    G2oRun result;
+    const auto add = [&](long id) {
+      if (!index.emplace(id, static_cast<int>(index.size())).second) return false;
+      result.ids.push_back(id);
+      return true;
+    };
+    for (const auto& [id, pose] : vertices_) {
+      if (add(id)) continue;
+      throw std::runtime_error(fmt::format("{}: vertex {} is one of the graph", file_, id));
+    }
+    if (vertices_.empty()) {
+      for (const Edge& edge : edges_) {
+        add(edge.from);
+        add(edge.to);
+      }
+    }
+    result.constraints = constraints(index);
+    check_fixed(before.ids);
     return result;
   }
 
  private:
+  [[nodiscard]] std::vector<PoseConstraint> constraints(const std::map<long, int>& index) const {
+    std::vector<PoseConstraint> result;
+    result.reserve(edges_.size());
+    for (const Edge& edge : edges_) {
+      result.push_back(edge.constraint);
+      result.back().from = index_of(index, edge.from, edge.line);
+      result.back().to = index_of(index, edge.to, edge.line);
+    }
+    return result;
+  }
+
   static Pose2 parse_pose(LineTokens& tokens) {
     Pose2 pose;
     pose.x = tokens.number<double>("finite number x");
@@ -184,9 +216,9 @@ class Parser {
     return found->second;
   }
 
-  void check_fixed(const G2oGraph& result) const {
+  void check_fixed(const std::vector<long>& ids) const {
     for (const auto& [id, line] : fixed_) {
-      if (!result.ids.empty() && id == result.ids.front()) continue;
+      if (!ids.empty() && id == ids.front()) continue;
       throw G2oError(file_, line, fmt::format("only the first pose can be fixed, not {}", id));
     }
   }
@@ -238,7 +270,9 @@ bool write_gz(const std::string& text, const std::filesystem::path& path) {
 
 }  // namespace
 
-G2oGraph read_g2o(const std::filesystem::path& path) {
+namespace {
+
+Parser parse(const std::filesystem::path& path) {
   const std::string text = read_gzip_file(path);
   Parser parser(path.string());
   std::string_view rest = text;
@@ -247,7 +281,15 @@ G2oGraph read_g2o(const std::filesystem::path& path) {
     parser.parse_line(line, number);
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
   }
-  return parser.graph();
+  return parser;
+}
+
+}  // namespace
+
+G2oGraph read_g2o(const std::filesystem::path& path) { return parse(path).graph(); }
+
+G2oRun read_g2o_run(const std::filesystem::path& path, const G2oGraph& graph) {
+  return parse(path).run(graph);
 }
 
 void write_g2o(const G2oGraph& graph, const std::filesystem::path& path) {

@@ -45,6 +45,17 @@ class G2oError : public std::runtime_error {
 /// read.
 G2oGraph read_g2o(const std::filesystem::path& path);
 
+/// A run to add to a graph: further poses, and constraints between them and with its poses.
+struct G2oRun {
+  std::vector<long> ids;  ///< of the further poses
+  std::vector<PoseConstraint>
+      constraints;  ///< indices of further poses continue those of the graph
+};
+
+/// Reads a run in the same formats. Edges may name ids of the graph, which are not vertices of the
+/// run; poses of vertices are not used. Throws as `read_g2o`, also for a vertex that the graph has.
+G2oRun read_g2o_run(const std::filesystem::path& path, const G2oGraph& graph);
+
 /// Writes a graph in the g2o format, each number with the fewest digits that read back as the same
 /// value; gzip if the name ends in ".gz". Throws std::runtime_error if the file cannot be written.
 void write_g2o(const G2oGraph& graph, const std::filesystem::path& path);

@@ -64,6 +64,16 @@ Eigen::Vector2d measured_lever(const PoseConstraint& c, const Pose2& T_map_from)
   return {-d.y(), d.x()};
 }
 
+/// −Jᵀ R e; J_from = −J_to M.
+void add_to_b(const PoseConstraint& c, const LinearPotential& potential,
+              const Eigen::Vector3d& weighted, Eigen::VectorXd& b) {
+  Eigen::Vector3d g = potential.J_to.transpose() * weighted;
+  if (c.to != 0) b.segment<3>(row_of(c.to)) -= g;
+  if (c.from == 0) return;
+  g.z() += potential.lever.dot(g.head<2>());
+  b.segment<3>(row_of(c.from)) += g;
+}
+
 }  // namespace
 
 NormalEquations::NormalEquations(const GraphStructure& structure)
@@ -87,9 +97,7 @@ double NormalEquations::linearise_at_measurements(const PoseGraph& graph) {
   return accumulate<Matrix::kAtMeasurements>(graph);
 }
 
-double NormalEquations::linearise_gradient(const PoseGraph& graph) {
-  return accumulate<Matrix::kNone>(graph);
-}
+double NormalEquations::linearise_gradient(const PoseGraph& graph) { return gradient(graph, b_); }
 
 template <NormalEquations::Matrix kMatrix>
 double NormalEquations::accumulate(const PoseGraph& graph) {
@@ -105,8 +113,8 @@ double NormalEquations::accumulate(const PoseGraph& graph) {
     }
     const Eigen::Vector3d weighted = c.information * potential.e;
     sum += potential.e.dot(weighted);
-    add_to_b(c, potential, weighted);
-    if constexpr (kMatrix != Matrix::kNone) add_to_matrix(c, pair_of_constraint_[i], potential);
+    add_to_b(c, potential, weighted, b_);
+    add_to_matrix(c, pair_of_constraint_[i], potential);
     if constexpr (kMatrix == Matrix::kSecondOrder) {
       add_curvature(c, pair_of_constraint_[i], potential, weighted);
     }
@@ -114,26 +122,13 @@ double NormalEquations::accumulate(const PoseGraph& graph) {
   return sum;
 }
 
-/// −Jᵀ R e; J_from = −J_to M.
-void NormalEquations::add_to_b(const PoseConstraint& c, const LinearPotential& potential,
-                               const Eigen::Vector3d& weighted) {
-  Eigen::Vector3d g = potential.J_to.transpose() * weighted;
-  if (c.to != 0) b_.segment<3>(row_of(c.to)) -= g;
-  if (c.from == 0) return;
-  g.z() += potential.lever.dot(g.head<2>());
-  b_.segment<3>(row_of(c.from)) += g;
-}
-
 void NormalEquations::add_to_matrix(const PoseConstraint& c, int pair,
                                     const LinearPotential& potential) {
-  const Eigen::Matrix3d K = potential.J_to.transpose() * c.information * potential.J_to;
-  if (c.to != 0) H_.add_to_diagonal<3>(c.to - 1, K);
+  const ConstraintHessian H = hessian(c, potential);
+  if (c.to != 0) H_.add_to_diagonal<3>(c.to - 1, H.to);
   if (c.from == 0) return;
-  Eigen::Matrix3d MtK = K;
-  MtK.row(2) += potential.lever.transpose() * K.topRows<2>();
-  if (pair >= 0) H_.add_to_pair<3>(pair, -MtK);
-  MtK.col(2) += MtK.leftCols<2>() * potential.lever;
-  H_.add_to_diagonal<3>(c.from - 1, MtK);
+  if (pair >= 0) H_.add_to_pair<3>(pair, H.from_to);
+  H_.add_to_diagonal<3>(c.from - 1, H.from);
 }
 
 /// The second derivatives of the residual, weighted. With g = J_toᵀ R e, the force on the position
@@ -155,6 +150,30 @@ void NormalEquations::add_curvature(const PoseConstraint& c, int pair,
   Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();
   mixed.bottomLeftCorner<1, 2>() = Sg.transpose();
   H_.add_to_pair<3>(pair, mixed);
+}
+
+ConstraintHessian hessian(const PoseConstraint& constraint, const LinearPotential& potential) {
+  ConstraintHessian H;
+  H.to = potential.J_to.transpose() * constraint.information * potential.J_to;
+  Eigen::Matrix3d MtK = H.to;
+  MtK.row(2) += potential.lever.transpose() * H.to.topRows<2>();
+  H.from_to = -MtK;
+  MtK.col(2) += MtK.leftCols<2>() * potential.lever;
+  H.from = MtK;
+  return H;
+}
+
+double gradient(const PoseGraph& graph, Eigen::VectorXd& b) {
+  b.setZero(row_of(static_cast<int>(graph.poses.size())));
+  double sum = 0.0;
+  for (const PoseConstraint& c : graph.constraints) {
+    const LinearPotential potential = linearise(c, graph.poses[static_cast<std::size_t>(c.from)],
+                                                graph.poses[static_cast<std::size_t>(c.to)]);
+    const Eigen::Vector3d weighted = c.information * potential.e;
+    sum += potential.e.dot(weighted);
+    add_to_b(c, potential, weighted, b);
+  }
+  return sum;
 }
 
 void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses) {

@@ -52,20 +52,29 @@ class NormalEquations {
   [[nodiscard]] const Eigen::VectorXd& b() const { return b_; }
 
  private:
-  enum class Matrix { kNone, kFirstOrder, kAtMeasurements, kSecondOrder };
+  enum class Matrix { kFirstOrder, kAtMeasurements, kSecondOrder };
   template <Matrix kMatrix>
   double accumulate(const PoseGraph& graph);
   void add_to_matrix(const PoseConstraint& constraint, int pair, const LinearPotential& potential);
   void add_curvature(const PoseConstraint& constraint, int pair, const LinearPotential& potential,
                      const Eigen::Vector3d& weighted);
-  void add_to_b(const PoseConstraint& constraint, const LinearPotential& potential,
-                const Eigen::Vector3d& weighted);
 
   std::vector<int> pair_of_constraint_;
   double curvature_share_ = 0.0;
   SparseCholesky H_;
   Eigen::VectorXd b_;
 };
+
+/// Blocks of Jᵀ R J of a constraint.
+struct ConstraintHessian {
+  Eigen::Matrix3d from;     ///< at (from, from)
+  Eigen::Matrix3d from_to;  ///< at (from, to)
+  Eigen::Matrix3d to;       ///< at (to, to)
+};
+ConstraintHessian hessian(const PoseConstraint& constraint, const LinearPotential& potential);
+
+/// b = −Σ Jᵀ R e of a graph, with rows as in NormalEquations; returns the objective.
+double gradient(const PoseGraph& graph, Eigen::VectorXd& b);
 
 /// Adds δ to the poses.
 void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses);

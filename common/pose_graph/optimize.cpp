@@ -15,7 +15,6 @@
 namespace adit {
 namespace {
 
-constexpr double kNegligible = 1e-9;  // negligible decrease of a chi-square
 // Ratio of successive predicted decreases below which a factor is reused, and iterated
 // linearisation converges well.
 constexpr double kContraction = 0.2;
@@ -91,8 +90,7 @@ class Optimizer {
   bool descend(NormalEquations& equations) {
     for (bool first = true; result_.iterations < params_.iterations_max; first = false) {
       const Step step = solve(equations);
-      const bool done =
-          step.predicted_decrease <= params_.tolerance * result_.objective + kNegligible;
+      const bool done = step.predicted_decrease <= params_.negligible_decrease(result_.objective);
       const bool slow = step.predicted_decrease > kContraction * predicted_decrease_;
       predicted_decrease_ = step.predicted_decrease;
       if (slow && !first && !done) return true;

@@ -17,6 +17,11 @@ struct OptimizeParams {
   double tolerance = 1e-9;
   int iterations_max = 500;  ///< safety limit
 
+  /// Predicted decrease of an objective below which it is at its minimum.
+  [[nodiscard]] double negligible_decrease(double objective) const {
+    return tolerance * objective + 1e-9;  // of a chi-square
+  }
+
   template <class V>
   void visit(V& v) {
     v("rotation_initialization", rotation_initialization);

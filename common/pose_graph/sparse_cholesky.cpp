@@ -176,32 +176,46 @@ void solve_vector(const FactorView& L, Eigen::VectorXd& x) {
   }
 }
 
-/// Solves for a factor of 3 × 3 blocks, whose three columns share the rows below the block.
-void solve_vector_by_blocks(const FactorView& L, Eigen::VectorXd& x) {
-  const auto column = [&](int j) { return L.values + L.start[j]; };
-  for (int j = 0; j < L.n; j += 3) {
-    const double* const a = column(j) + 3;
-    const double* const b = column(j + 1) + 2;
-    const double* const c = column(j + 2) + 1;
-    const int* const rows = L.rows + L.start[j] + 3;
-    const double x0 = x[j];
-    const double x1 = x[j + 1] -= a[-2] * x0;
-    const double x2 = x[j + 2] -= a[-1] * x0 + b[-1] * x1;
-    for (int k = 0; k < L.count[j] - 3; ++k) x[rows[k]] -= a[k] * x0 + b[k] * x1 + c[k] * x2;
+/// Three columns of a factor of 3 × 3 blocks, which share the rows below the block.
+class BlockColumn {
+ public:
+  BlockColumn(const FactorView& L, int j)
+      : j_(j),
+        below_(L.count[j] - 3),
+        rows_(L.rows + L.start[j] + 3),
+        a_(L.values + L.start[j] + 3),
+        b_(L.values + L.start[j + 1] + 2),
+        c_(L.values + L.start[j + 2] + 1) {}
+
+  /// One step of L x = b in place.
+  void forward(double* x) const {
+    const double x0 = x[j_];
+    const double x1 = x[j_ + 1] -= a_[-2] * x0;
+    const double x2 = x[j_ + 2] -= a_[-1] * x0 + b_[-1] * x1;
+    for (int k = 0; k < below_; ++k) x[rows_[k]] -= a_[k] * x0 + b_[k] * x1 + c_[k] * x2;
   }
-  for (int j = L.n - 3; j >= 0; j -= 3) {
-    const double* const a = column(j) + 3;
-    const double* const b = column(j + 1) + 2;
-    const double* const c = column(j + 2) + 1;
-    const int* const rows = L.rows + L.start[j] + 3;
+
+  /// One step of D Lᵀ x = b in place.
+  void backward(double* x) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int k = 0; k < L.count[j] - 3; ++k) {
-      sum += x[rows[k]] * Eigen::Vector3d(a[k], b[k], c[k]);
-    }
-    x[j + 2] = x[j + 2] / c[-1] - sum[2];
-    x[j + 1] = x[j + 1] / b[-2] - sum[1] - b[-1] * x[j + 2];
-    x[j] = x[j] / a[-3] - sum[0] - a[-2] * x[j + 1] - a[-1] * x[j + 2];
+    for (int k = 0; k < below_; ++k) sum += x[rows_[k]] * Eigen::Vector3d(a_[k], b_[k], c_[k]);
+    x[j_ + 2] = x[j_ + 2] / c_[-1] - sum[2];
+    x[j_ + 1] = x[j_ + 1] / b_[-2] - sum[1] - b_[-1] * x[j_ + 2];
+    x[j_] = x[j_] / a_[-3] - sum[0] - a_[-2] * x[j_ + 1] - a_[-1] * x[j_ + 2];
   }
+
+ private:
+  int j_;
+  int below_;
+  const int* rows_;
+  const double* a_;
+  const double* b_;
+  const double* c_;
+};
+
+void solve_vector_by_blocks(const FactorView& L, Eigen::VectorXd& x) {
+  for (int j = 0; j < L.n; j += 3) BlockColumn(L, j).forward(x.data());
+  for (int j = L.n - 3; j >= 0; j -= 3) BlockColumn(L, j).backward(x.data());
 }
 
 /// The columns from the given ones up to the roots, ascending.
@@ -542,6 +556,38 @@ Eigen::MatrixXd SparseCholesky::inverse_among(const std::vector<int>& blocks) co
   if (size == 3) return inverse_along<3>(L, path, columns, zeros);
   if (size == 6) return inverse_along<6>(L, path, columns, zeros);
   return inverse_along<Eigen::Dynamic>(L, path, columns, zeros);
+}
+
+SparseCholesky::Among SparseCholesky::among(std::vector<int> blocks) const {
+  require(has_factor(), "a path without a factor");
+  require(block_size_ == 3, "the path is one of blocks of three");
+  const FactorView L(*cholmod_->L);
+  std::vector<int> columns;
+  for (const int block : blocks) columns.push_back(3 * position_[at(block)]);
+  std::vector<int> path = path_to_root(L, columns);
+  std::erase_if(path, [](int j) { return j % 3 != 0; });
+  return {std::move(blocks), std::move(path)};
+}
+
+Eigen::VectorXd SparseCholesky::solve_among(const Among& among, const Eigen::VectorXd& b) const {
+  require(has_factor(), "solve without a factor");
+  require(b.size() == row(static_cast<int>(among.blocks.size())), "a vector of another size");
+  const FactorView L(*cholmod_->L);
+  std::vector<double>& zeros = cholmod_->zeros;
+  zeros.resize(std::max(zeros.size(), at(L.n)), 0.0);
+  Eigen::Map<Eigen::VectorXd> x(zeros.data(), L.n);
+  Eigen::VectorXd result(b.size());
+  for (std::size_t i = 0; i < among.blocks.size(); ++i) {
+    x.segment<3>(row(position_[at(among.blocks[i])])) = b.segment<3>(row(static_cast<int>(i)));
+  }
+  for (const int j : among.path) BlockColumn(L, j).forward(x.data());
+  for (auto j = among.path.rbegin(); j != among.path.rend(); ++j)
+    BlockColumn(L, *j).backward(x.data());
+  for (std::size_t i = 0; i < among.blocks.size(); ++i) {
+    result.segment<3>(row(static_cast<int>(i))) = x.segment<3>(row(position_[at(among.blocks[i])]));
+  }
+  for (const int j : among.path) x.segment<3>(j).setZero();
+  return result;
 }
 
 std::vector<Eigen::Matrix3d> SparseCholesky::inverse_diagonal() const {

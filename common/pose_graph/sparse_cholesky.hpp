@@ -90,6 +90,15 @@ class SparseCholesky {
   /// The submatrix of A⁻¹ with rows and columns in the given blocks. Solves only along their paths
   /// to the root of the elimination tree.
   [[nodiscard]] Eigen::MatrixXd inverse_among(const std::vector<int>& blocks) const;
+  /// Some blocks, and the columns of L on their paths to the root of the elimination tree.
+  struct Among {
+    std::vector<int> blocks;
+    std::vector<int> path;  ///< first columns of the blocks of L, ascending
+  };
+  [[nodiscard]] Among among(std::vector<int> blocks) const;
+  /// The rows of these blocks of A⁻¹ b, for a vector that is zero in the other blocks: b and the
+  /// result have the rows of `among.blocks` only. The cost is that of the path. Block size 3 only.
+  [[nodiscard]] Eigen::VectorXd solve_among(const Among& among, const Eigen::VectorXd& b) const;
   /// All diagonal blocks of A⁻¹, by the recursion over the pattern of L (Takahashi, Fagan, Chin
   /// 1973; Björck, "Numerical methods for least squares problems", 1996, section 6.7.4). Block size
   /// 3 only.
@@ -103,6 +112,8 @@ class SparseCholesky {
   [[nodiscard]] SelectedInverse selected_inverse(
       const std::vector<std::array<int, 2>>& pairs) const;
 
+  /// Rows of A.
+  [[nodiscard]] Eigen::Index size() const { return row(static_cast<int>(position_.size())); }
   /// Number of entries of L.
   [[nodiscard]] std::size_t factor_entries() const;
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/pose_graph/growing_optimum.hpp"
 #include "common/pose_graph/normal_equations.hpp"
 #include "procs/mapping/association/finished_graph/lazy_loop_closures.hpp"
 
@@ -86,6 +87,33 @@ OptimizeRun optimize_all(G2oGraph& file, bool certify) {
   return run;
 }
 
+OptimizeRun optimize_with_runs(G2oGraph& file, const std::vector<std::filesystem::path>& runs,
+                               const std::function<void(double)>& progress) {
+  OptimizeRun run;
+  GrowingOptimum optimum(std::move(file.graph), {}, run.stopwatch.observer());
+  run.result = optimum.result();
+  file.graph = optimum.graph();
+  require_poses(file, run.result);
+  for (const std::filesystem::path& path : runs) {
+    if (progress)
+      progress(static_cast<double>(run.added.size()) / static_cast<double>(runs.size()));
+    const G2oRun further = read_g2o_run(path, file);
+    file.ids.insert(file.ids.end(), further.ids.begin(), further.ids.end());
+    AddedRun added{path.string(), further.ids.size(), further.constraints.size(), {}, 0.0};
+    const Clock::time_point begin = Clock::now();
+    added.result = optimum.add(static_cast<int>(further.ids.size()), further.constraints);
+    added.wall_ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    try {
+      require_poses(file, added.result);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}: {}", path.string(), error.what()));
+    }
+    run.added.push_back(std::move(added));
+  }
+  file.graph = optimum.graph();
+  return run;
+}
+
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress) {
   require_connection(file);
@@ -127,6 +155,21 @@ void add_certificate(Json& json, const Certificate& certificate) {
   json["lower_bound"] = certificate.lower_bound;
   json["replaced_local_minimum"] = certificate.replaced;
   json["relaxation_rank"] = certificate.rank;
+}
+
+Json added_runs(const std::vector<AddedRun>& runs) {
+  Json json = Json::array();
+  for (const AddedRun& run : runs) {
+    json.push_back({{"file", run.file},
+                    {"poses", run.poses},
+                    {"constraints", run.constraints},
+                    {"converged", run.result.converged},
+                    {"objective", run.result.objective},
+                    {"iterations", run.result.iterations},
+                    {"factorisations", run.result.factorisations},
+                    {"wall_ms", run.wall_ms}});
+  }
+  return json;
 }
 
 Json wall_ms(const OptimizeRun& run) {
@@ -173,6 +216,7 @@ std::string to_json(const PoseGraph& graph, const OptimizeRun& run) {
   if (run.certificate) add_certificate(json, *run.certificate);
   if (run.loops) add_loops(json, *run.loops);
   json["wall_ms"] = wall_ms(run);
+  if (!run.added.empty()) json["added"] = added_runs(run.added);
   return with_pairs_on_one_line(json.dump(2));
 }
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -54,12 +56,22 @@ struct LoopDecisions {
   double association_ms = 0.0;
 };
 
+/// A run that was added to the optimum of a graph.
+struct AddedRun {
+  std::string file;
+  std::size_t poses = 0;
+  std::size_t constraints = 0;
+  OptimizeResult result;  ///< of the graph with the run
+  double wall_ms = 0.0;   ///< without reading the file
+};
+
 struct OptimizeRun {
   OptimizeResult result;
   PhaseStopwatch stopwatch;
   std::optional<LoopDecisions> loops;  ///< nothing if all are accepted without association
   std::optional<Certificate> certificate;
   double certify_ms = 0.0;
+  std::vector<AddedRun> added;
 };
 
 /// Finds the poses of a file that minimise the objective over all constraints. With `certify`, or
@@ -67,6 +79,12 @@ struct OptimizeRun {
 /// lead to a better one. Throws std::runtime_error, with the id of a pose, if the constraints do
 /// not determine the poses.
 OptimizeRun optimize_all(G2oGraph& file, bool certify = false);
+
+/// Finds the poses that minimise the objective of a file, then those with the poses and constraints
+/// of each run (read_g2o_run) as well, in order, by the factor of the graph before
+/// (GrowingOptimum). Throws as `optimize_all`, for runs with the name of their file.
+OptimizeRun optimize_with_runs(G2oGraph& file, const std::vector<std::filesystem::path>& runs,
+                               const std::function<void(double)>& progress = {});
 
 /// Removes the loop closures that lazy data association rejects (associate_loops_lazily), then
 /// optimises the rest. Gaps in the odometry, the constraints between consecutive poses, are bridged

@@ -44,12 +44,17 @@ struct Draft {
   std::optional<std::string> answer_channel;
   std::vector<std::string> answers_to;
   std::optional<double> answer_timeout_s;
+  std::optional<bool> answers_late;
 };
 
 using SetAttribute = std::function<void(TokenStream&, Draft&)>;
 
 std::string parse_string(TokenStream& tokens) {
   return tokens.expect(Kind::kString, "a quoted string").text;
+}
+
+bool parse_boolean(TokenStream& tokens) {
+  return tokens.expect_one_of(Kind::kString, {"true", "false"}) == "true";
 }
 
 std::vector<std::string> parse_strings(TokenStream& tokens) {
@@ -90,10 +95,7 @@ const std::map<std::string, SetAttribute>& attributes() {
       {"group",
        [](auto& tokens, auto& draft) { draft.command.group = parse_group_attribute(tokens); }},
       {"auto_respawn",
-       [](auto& tokens, auto& draft) {
-         const std::string text = tokens.expect_one_of(Kind::kString, {"true", "false"});
-         draft.command.auto_respawn = text == "true";
-       }},
+       [](auto& tokens, auto& draft) { draft.command.auto_respawn = parse_boolean(tokens); }},
       {"stop_signal",
        [](auto& tokens, auto& draft) {
          draft.command.stop_signal = tokens.expect_integer(1, kLastSignal);
@@ -120,6 +122,8 @@ const std::map<std::string, SetAttribute>& attributes() {
        [](auto& tokens, auto& draft) {
          draft.answer_timeout_s = tokens.expect_number(kAnswerTimeMinS, kTimeMaxS);
        }},
+      {"answers_late",
+       [](auto& tokens, auto& draft) { draft.answers_late = parse_boolean(tokens); }},
       {"start_timeout_s", [](auto& tokens, auto& draft) {
          draft.command.start_timeout_s = tokens.expect_number(0.0, kTimeMaxS);
        }}};
@@ -160,7 +164,8 @@ std::string parse_name(TokenStream& tokens) {
 }
 
 void set_answer(const TokenStream& tokens, const TextPosition& position, Draft& draft) {
-  if (!draft.answer_channel && draft.answers_to.empty() && !draft.answer_timeout_s) return;
+  const bool has_options = draft.answer_timeout_s || draft.answers_late;
+  if (!draft.answer_channel && draft.answers_to.empty() && !has_options) return;
   if (!draft.answer_channel || draft.answers_to.empty()) {
     tokens.fail(position, "command " + quote(draft.command.id, '"') +
                               " needs both answer_channel and answers_to");
@@ -169,6 +174,7 @@ void set_answer(const TokenStream& tokens, const TextPosition& position, Draft& 
   answer.channel = *draft.answer_channel;
   answer.inputs = draft.answers_to;
   if (draft.answer_timeout_s) answer.timeout_s = *draft.answer_timeout_s;
+  answer.late = draft.answers_late.value_or(false);
 }
 
 ListedCommand finished(const TokenStream& tokens, const TextPosition& position, Draft draft) {

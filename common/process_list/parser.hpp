@@ -18,11 +18,12 @@ namespace adit {
 ///       depends_on = "laser", "imu"; restart_limit = 5;
 ///       alive_channel = "POSE"; alive_rate_hz = 5; start_timeout_s = 4;
 ///       answer_channel = "POSE"; answers_to = "LASER_FRONT", "LASER_REAR"; answer_timeout_s = 5;
+///       answers_late = "true";
 ///     }
 ///   }
 ///   script "go" { start group "sensing" wait "running" timeout_s 20; wait ms 500;
 ///                 wait cmd "mapping" status "running"; run_script "other"; }
-/// `depends_on`, `restart_limit`, the last two lines of the command and `timeout_s` extend
+/// `depends_on`, `restart_limit`, the last three lines of the command and `timeout_s` extend
 /// procman's grammar. Older files have `host` for `deputy`; a number may be quoted, as procman
 /// writes it. The list is validated: unique names, existing and acyclic dependencies and script
 /// calls.

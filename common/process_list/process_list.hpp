@@ -22,6 +22,8 @@ struct AnswerRule {
   std::string channel;
   std::vector<std::string> inputs;
   double timeout_s = 10.0;  ///< with input and without an answer, wall clock time
+  /// It may have nothing to say for any time after its start: input counts from its first answer.
+  bool late = false;
 
   friend bool operator==(const AnswerRule&, const AnswerRule&) = default;
 };

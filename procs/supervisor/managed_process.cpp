@@ -34,7 +34,8 @@ LifecycleRules rules_of(const ListedCommand& command, const RestartBackoff& back
 }
 
 AnswerMonitor answer_of(const ListedCommand& command) {
-  return AnswerMonitor(command.answer.value_or(AnswerRule{}).timeout_s);
+  const AnswerRule rule = command.answer.value_or(AnswerRule{});
+  return AnswerMonitor(rule.timeout_s, rule.late);
 }
 
 PublishRateMonitor rate_of(const ListedCommand& command) {

@@ -73,6 +73,7 @@ class CommandWriter {
     attribute("answers_to", joined(answer.inputs), command.answer.has_value());
     attribute("answer_timeout_s", number(answer.timeout_s),
               answer.timeout_s != AnswerRule{}.timeout_s);
+    attribute("answers_late", between_quotes("true"), answer.late);
   }
 
   void attribute(std::string_view name, const std::string& value, bool differs) {

@@ -12,14 +12,17 @@ constexpr std::int64_t kBlockedTimeMaxUs = 60'000'000;
 
 }  // namespace
 
-AnswerMonitor::AnswerMonitor(double timeout_s) : timeout_us_(std::llround(timeout_s * 1e6)) {}
+AnswerMonitor::AnswerMonitor(double timeout_s, bool late)
+    : timeout_us_(std::llround(timeout_s * 1e6)), late_(late) {}
 
 void AnswerMonitor::reset(std::int64_t now_us, double start_time_s) {
-  on_answer();
+  first_input_us_.reset();
+  has_answered_ = false;
   ready_us_ = now_us + std::llround(start_time_s * 1e6);
 }
 
 void AnswerMonitor::on_input(std::int64_t now_us) {
+  if (late_ && !has_answered_) return;
   const bool continues = first_input_us_ && now_us - last_input_us_ < timeout_us_;
   if (!continues) {
     first_input_us_ = now_us;
@@ -28,7 +31,10 @@ void AnswerMonitor::on_input(std::int64_t now_us) {
   last_input_us_ = now_us;
 }
 
-void AnswerMonitor::on_answer() { first_input_us_.reset(); }
+void AnswerMonitor::on_answer() {
+  has_answered_ = true;
+  first_input_us_.reset();
+}
 
 void AnswerMonitor::add_blocked_time(std::int64_t blocked_us) {
   blocked_us_ = std::min(blocked_us_ + blocked_us, kBlockedTimeMaxUs);

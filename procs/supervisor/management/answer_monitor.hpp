@@ -10,10 +10,11 @@ namespace adit {
 /// Finds a process that ignores its input: messages keep coming for a time, and it publishes
 /// nothing in answer. A single message is no proof, since it may need no answer or have been lost,
 /// nor is input with a pause as long as that time. Time that the process is blocked on the disk
-/// does not count, up to one minute without an answer. Times are those of a monotonic clock [µs].
+/// does not count, up to one minute without an answer; nor does input before the first answer, if
+/// answers may come late. Times are those of a monotonic clock [µs].
 class AnswerMonitor {
  public:
-  explicit AnswerMonitor(double timeout_s);
+  explicit AnswerMonitor(double timeout_s, bool late = false);
 
   /// The process was started and may ignore its input for `start_time_s`.
   void reset(std::int64_t now_us, double start_time_s);
@@ -29,6 +30,8 @@ class AnswerMonitor {
 
  private:
   std::int64_t timeout_us_;
+  bool late_;
+  bool has_answered_ = false;  // since its start
   std::int64_t ready_us_ = 0;
   std::optional<std::int64_t> first_input_us_;  // since the last answer or pause
   std::int64_t last_input_us_ = 0;

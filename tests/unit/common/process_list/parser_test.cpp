@@ -50,14 +50,14 @@ cmd "laser" { exec = "laser"; }
 cmd "imu" { exec = "imu"; }
 cmd "slam" { exec = "slam"; depends_on = "laser", "imu"; restart_limit = 4; alive_rate_hz = 0.5;
              alive_channel = "POSE"; start_timeout_s = 2.5; answer_timeout_s = 5;
-             answers_to = "LASER_FRONT", "IMU"; answer_channel = "POSE"; })");
+             answers_to = "LASER_FRONT", "IMU"; answer_channel = "POSE"; answers_late = "true"; })");
   const ListedCommand& slam = list.commands.at(2);
   EXPECT_THAT(slam.depends_on, ElementsAre("laser", "imu"));
   EXPECT_EQ(slam.restart_limit, 4);
   EXPECT_EQ(slam.alive, (LivenessSignal{"POSE", 0.5}));
   EXPECT_EQ(slam.start_timeout_s, 2.5);
   EXPECT_EQ(list.commands[0].restart_limit, std::nullopt);
-  EXPECT_EQ(slam.answer, (AnswerRule{"POSE", {"LASER_FRONT", "IMU"}, 5.0}));
+  EXPECT_EQ(slam.answer, (AnswerRule{"POSE", {"LASER_FRONT", "IMU"}, 5.0, true}));
   EXPECT_EQ(list.commands[0].alive, std::nullopt);
   EXPECT_EQ(list.commands[0].answer, std::nullopt);
 }
@@ -232,7 +232,8 @@ group "a" {
   cmd "2" { exec = "x"; auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 0.25; }
   group "b" { cmd "3" { exec = "x"; depends_on = "2", "4"; restart_limit = 0; alive_channel = "POSE";
                         alive_rate_hz = "3.3"; start_timeout_s = "1e-5"; answer_channel = "POSE";
-                        answers_to = "IMU", "TILT_REAR"; answer_timeout_s = 2.5; } }
+                        answers_to = "IMU", "TILT_REAR"; answer_timeout_s = 2.5;
+                        answers_late = "true"; } }
 }
 cmd "4" { exec = "x"; }
 script "go" {

@@ -33,6 +33,21 @@ TEST_F(AnswerMonitorTest, FindsAProcessThatIgnoresItsInput) {
   EXPECT_FALSE(monitor_.is_unanswered());
 }
 
+/// As mapping, while the robot waits for the order to start.
+TEST_F(AnswerMonitorTest, ExpectsTheFirstAnswerAtAnyTimeIfAnswersMayComeLate) {
+  monitor_ = AnswerMonitor(5.0, true);
+  for (int run = 0; run < 2; ++run) {
+    monitor_.reset(now_, 1.0);
+    give_input(13 * kMs, 1000 * kSecond);
+    EXPECT_FALSE(monitor_.is_ignored());
+    monitor_.on_answer();
+    give_input(13 * kMs, 4 * kSecond);
+    EXPECT_FALSE(monitor_.is_ignored());
+    give_input(13 * kMs, 2 * kSecond);
+    EXPECT_TRUE(monitor_.is_ignored());
+  }
+}
+
 TEST_F(AnswerMonitorTest, ExpectsNothingWithoutInput) {
   give_input(13 * kMs, 4 * kSecond);
   now_ += 100 * kSecond;  // the input has ended

@@ -138,8 +138,19 @@ void BaseEmulator::execute(std::span<const std::uint8_t> frame, std::int64_t uti
 }
 
 void BaseEmulator::step(std::int64_t utime) {
-  constexpr double kStepS = 1e-6 * kStepUs;
   if (utime - last_drive_us_ >= kWatchdogUs) is_expired_ = true;
+  if (params_.moved_ticks) {
+    ticks_ = params_.moved_ticks(utime);
+  } else {
+    move();
+  }
+  history_.push_back({static_cast<double>(utime), ticks_[0], ticks_[1]});
+  if (history_.size() > kHistory) history_.pop_front();
+}
+
+/// By its own motors.
+void BaseEmulator::move() {
+  constexpr double kStepS = 1e-6 * kStepUs;
   const bool stands = is_expired_ || brakes_ || emergency_switch || motor_fault;
   const double left = (stands ? 0.0 : targets_[0]) - speeds_[0];
   const double right = (stands ? 0.0 : targets_[1]) - speeds_[1];
@@ -150,8 +161,6 @@ void BaseEmulator::step(std::int64_t utime) {
   speeds_ = {speeds_[0] + share * left, speeds_[1] + share * right};
   ticks_[0] += speeds_[0] * kStepS;
   ticks_[1] += speeds_[1] * kStepS;
-  history_.push_back({static_cast<double>(utime), ticks_[0], ticks_[1]});
-  if (history_.size() > kHistory) history_.pop_front();
 }
 
 void BaseEmulator::send_state(std::int64_t utime) {

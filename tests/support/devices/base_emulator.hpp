@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <random>
 #include <span>
 #include <vector>
@@ -26,6 +27,8 @@ class BaseEmulator {
     std::int32_t ticks_start = 0;
     std::uint8_t version = 1;
     std::uint16_t battery_mv = 24000;
+    /// Ticks of both sides, if something else moves the wheels and not this emulator.
+    std::function<std::array<double, 2>(std::int64_t utime)> moved_ticks = {};
   };
 
   explicit BaseEmulator(Params params) : params_(params) {}
@@ -51,6 +54,7 @@ class BaseEmulator {
 
  private:
   void step(std::int64_t utime);
+  void move();
   void read_input(std::int64_t utime);
   void execute(std::span<const std::uint8_t> frame, std::int64_t utime);
   void send_state(std::int64_t utime);

@@ -210,16 +210,26 @@ void ServoEmulator::put(std::int64_t at_us, std::span<const std::uint8_t> bytes)
   }
 }
 
+double ServoEmulator::rate_max_ticks_s() const {
+  return get(112) == 0 ? 4000.0 : get(112) * 0.229 / 60.0 * 4096.0;
+}
+
 /// Towards the goal by the profile: velocity in 0.229 rev/min, acceleration in 214.577 rev/min².
 void ServoEmulator::move(std::int64_t until) {
   while (moved_us_ + kStepUs <= until) {
     moved_us_ += kStepUs;
+    if (params_.moved_position) {
+      const double before = position_;
+      position_ = params_.moved_position(moved_us_);
+      velocity_ = (position_ - before) / (1e-6 * kStepUs);
+      continue;
+    }
     if (!torque()) {
       velocity_ = 0.0;
       continue;
     }
     constexpr double kStepS = 1e-6 * kStepUs;
-    const double rate_max = get(112) == 0 ? 4000.0 : get(112) * 0.229 / 60.0 * 4096.0;
+    const double rate_max = rate_max_ticks_s();
     const double acceleration = get(108) == 0 ? 1e6 : get(108) * 214.577 / 3600.0 * 4096.0;
     const double left = get(116) - position_;
     const double rate_to_stop = std::sqrt(2.0 * acceleration * std::abs(left));

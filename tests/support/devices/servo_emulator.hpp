@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <random>
 #include <span>
 #include <vector>
@@ -32,6 +33,8 @@ class ServoEmulator {
     double position = 2048.0;   ///< before power on
     bool line_echoes = false;   ///< what is sent to it comes back
     bool line_has_time = true;  ///< bytes to it take the time of the baud rate
+    /// Position, if something else moves it and not this emulator.
+    std::function<double(std::int64_t utime)> moved_position = {};
   };
 
   explicit ServoEmulator(Params params) : params_(params), position_(params.position) {}
@@ -53,6 +56,9 @@ class ServoEmulator {
   /// The readings of the last seconds.
   [[nodiscard]] const std::deque<Sample>& samples() const { return samples_; }
   [[nodiscard]] double position() const { return position_; }
+  [[nodiscard]] std::int32_t goal() const { return get(116); }
+  /// Of the profile to the goal.
+  [[nodiscard]] double rate_max_ticks_s() const;
   [[nodiscard]] bool torque() const { return table_[64] != 0; }
   [[nodiscard]] int torque_losses() const { return torque_losses_; }
 

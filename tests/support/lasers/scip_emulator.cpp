@@ -164,8 +164,8 @@ std::int64_t ScipEmulator::scan_start(int scan) const {
 void ScipEmulator::measure(std::int64_t until) {
   const double period_us = 60e6 / params_.scans_per_minute / params_.clock_rate;
   while (!continuous_.empty()) {
-    const double start_us =
-        static_cast<double>(power_on_us_) + 1234.0 + static_cast<double>(next_scan_) * period_us;
+    const double start_us = static_cast<double>(power_on_us_ + kFirstScanUs) +
+                            static_cast<double>(next_scan_) * period_us;
     const auto start =
         std::llround(start_us + period_us * (from_ - params_.first_step) / params_.steps_per_turn);
     const auto end =

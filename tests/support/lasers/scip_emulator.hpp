@@ -36,6 +36,9 @@ class ScipEmulator {
     int range_max_mm = 60000;
   };
 
+  /// Time of the first scan behind power on [µs].
+  static constexpr std::int64_t kFirstScanUs = 1234;
+
   /// Distance of a step [mm], or a code. `scan`: number of the scan.
   using Reading = std::function<std::uint32_t(int scan, int step)>;
 

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/live/drivers/simulated_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
+#include "common/service/wall_time.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kLateUs = 60'000;  // of a message of the simulator, at most
+constexpr std::size_t kScansMax = 40;
+constexpr double kStandsMS = 1e-3;
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m)
+    : bus_({.url = lcm_url}), track_m_(track_m) {
+  constexpr std::size_t kQueue = 1000;
+  subscribe<wheel_odometry_t>(bus_, channels::kWheelOdometry, Delivery::queued(kQueue),
+                              [this](const WheelOdometry& odometry) { handle(odometry); });
+  subscribe<tilt_t>(bus_, channels::kTiltFront, Delivery::queued(kQueue),
+                    [this](const TiltReading& reading) {
+                      note(reading.utime);
+                      tilt_.add(reading.utime, {reading.angle_rad});
+                    });
+  subscribe<imu_t>(bus_, channels::kImu, Delivery::queued(kQueue),
+                   [this](const ImuReading& reading) {
+                     const Eigen::Vector3d& a = reading.linear_acceleration;
+                     const Eigen::Vector3d& w = reading.angular_velocity;
+                     note(reading.utime);
+                     motion_.add(reading.utime, {a.x(), a.y(), a.z(), w.x(), w.y(), w.z()});
+                   });
+  subscribe<pose_t>(bus_, channels::kTruth, Delivery::queued(kQueue),
+                    [this](const StampedPose& pose) {
+                      const Eigen::Vector2d place = pose.T_odom_body.translation();
+                      if (first_place_) true_way_m_ += (place - last_place_).norm();
+                      if (!first_place_) first_place_ = place;
+                      last_place_ = place;
+                    });
+  subscribe<planar_lidar_t>(bus_, channels::kLaserFront, Delivery::queued(kQueue),
+                            [this](const LaserScan& scan) {
+                              note(scan.utime);
+                              scans_.push_back(scan);
+                              if (scans_.size() > kScansMax) scans_.pop_front();
+                            });
+}
+
+double SimulatedRobot::true_distance_m() const {
+  return first_place_ ? (last_place_ - *first_place_).norm() : 0.0;
+}
+
+void SimulatedRobot::step() {
+  while (bus_.handle(0)) {
+  }
+}
+
+void SimulatedRobot::note(std::int64_t utime) {
+  const std::int64_t behind_us = wall_utime() - utime;
+  behind_us_ = behind_us_ ? std::min(*behind_us_, behind_us) : behind_us;
+  last_utime_ = std::max(last_utime_, utime);
+}
+
+/// The ways of both sides are those whose mean and difference are the measured motion.
+void SimulatedRobot::handle(const WheelOdometry& odometry) {
+  note(odometry.utime);
+  if (last_) {
+    const Pose2 motion = between(last_->T_wheel_body, odometry.T_wheel_body);
+    const double turn = odometry.T_wheel_body.theta - last_->T_wheel_body.theta;
+    const double ahead_m = std::copysign(std::hypot(motion.x, motion.y), motion.x);
+    way_m_[0] += ahead_m - 0.5 * turn * track_m_;
+    way_m_[1] += ahead_m + 0.5 * turn * track_m_;
+  }
+  last_ = odometry;
+  ways_.add(odometry.utime, way_m_);
+}
+
+std::optional<std::int64_t> SimulatedRobot::now() const {
+  if (ways_.empty() || tilt_.empty() || motion_.empty() || scans_.empty()) return std::nullopt;
+  return wall_utime() - *behind_us_ - kLateUs;
+}
+
+const LaserScan* SimulatedRobot::scan(std::int64_t utime) const {
+  const auto off_us = [utime](const LaserScan& scan) { return std::abs(scan.utime - utime); };
+  const auto nearest = std::ranges::min_element(scans_, {}, off_us);
+  return nearest == scans_.end() ? nullptr : &*nearest;
+}
+
+void SimulatedRobot::drive(double left_m_s, double right_m_s, bool stopped) {
+  const double speed_m_s = 0.5 * (left_m_s + right_m_s);
+  const double turn_rad_s = (right_m_s - left_m_s) / track_m_;
+  const double curvature_1_m = std::abs(speed_m_s) < kStandsMS ? 0.0 : turn_rad_s / speed_m_s;
+  publish(bus_, channels::kDriveCommand,
+          to_message(DriveCommand{last_utime_, speed_m_s, curvature_1_m}));
+  publish(bus_, channels::kStop,
+          to_message(StopOrder{last_utime_, stopped, stopped ? "the base brakes" : ""}));
+}
+
+void SimulatedRobot::tilt(double goal_rad, double rate_max_rad_s) {
+  publish(bus_, channels::kTiltCommandFront,
+          to_message(TiltCommand{last_utime_, goal_rad, rate_max_rad_s}));
+}
+
+}  // namespace adit

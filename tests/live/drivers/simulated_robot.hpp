@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "common/bus/lcm_bus.hpp"
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/vehicle_readings.hpp"
+
+namespace adit {
+
+/// Numbers that change with time, of the last seconds; linear between them.
+template <std::size_t N>
+class History {
+ public:
+  void add(std::int64_t utime, const std::array<double, N>& values) {
+    if (!samples_.empty() && utime <= samples_.back().utime) return;
+    samples_.push_back({utime, values});
+    while (samples_.front().utime < utime - kLengthUs) samples_.pop_front();
+  }
+
+  /// The first or the last before and after those known.
+  [[nodiscard]] std::array<double, N> at(std::int64_t utime) const {
+    if (samples_.empty()) return {};
+    auto after = samples_.end();
+    while (after != samples_.begin() && (after - 1)->utime > utime) --after;
+    if (after == samples_.begin()) return samples_.front().values;
+    if (after == samples_.end()) return samples_.back().values;
+    const Sample& before = *(after - 1);
+    const double share = static_cast<double>(utime - before.utime) /
+                         static_cast<double>(after->utime - before.utime);
+    std::array<double, N> values{};
+    for (std::size_t i = 0; i < N; ++i)
+      values[i] = before.values[i] + share * (after->values[i] - before.values[i]);
+    return values;
+  }
+
+  [[nodiscard]] bool empty() const { return samples_.empty(); }
+
+ private:
+  static constexpr std::int64_t kLengthUs = 2'000'000;
+  struct Sample {
+    std::int64_t utime = 0;
+    std::array<double, N> values{};
+  };
+  std::deque<Sample> samples_;
+};
+
+/// What the simulator on a bus of its own says about the sensors of the robot, and where it takes
+/// commands: the world of emulated devices.
+class SimulatedRobot {
+ public:
+  /// `track_m`: between the sides of the vehicle, by which a turn is a difference of their ways.
+  SimulatedRobot(const std::string& lcm_url, double track_m);
+
+  /// Handles messages that have arrived.
+  void step();
+
+  /// The time of the simulator, which runs in real time, up to which all of its messages have
+  /// arrived; empty before the first of each kind.
+  [[nodiscard]] std::optional<std::int64_t> now() const;
+
+  [[nodiscard]] std::array<double, 2> way_m(std::int64_t utime) const { return ways_.at(utime); }
+  [[nodiscard]] double tilt_rad(std::int64_t utime) const { return tilt_.at(utime)[0]; }
+  /// Accelerations [m/s²], then rates [rad/s], in the body frame.
+  [[nodiscard]] std::array<double, 6> motion(std::int64_t utime) const { return motion_.at(utime); }
+  /// The scan whose first beam is nearest to a time; null without scans.
+  [[nodiscard]] const LaserScan* scan(std::int64_t utime) const;
+
+  /// True way so far and distance from its begin, in plan [m].
+  [[nodiscard]] double true_way_m() const { return true_way_m_; }
+  [[nodiscard]] double true_distance_m() const;
+
+  /// Publishes what the base and the servo were told.
+  void drive(double left_m_s, double right_m_s, bool stopped);
+  void tilt(double goal_rad, double rate_max_rad_s);
+
+ private:
+  void handle(const WheelOdometry& odometry);
+  void note(std::int64_t utime);
+
+  LcmBus bus_;
+  double track_m_;
+  std::optional<WheelOdometry> last_;
+  std::array<double, 2> way_m_{};
+  History<2> ways_;
+  History<1> tilt_;
+  History<6> motion_;
+  std::deque<LaserScan> scans_;
+  std::optional<Eigen::Vector2d> first_place_;
+  Eigen::Vector2d last_place_ = Eigen::Vector2d::Zero();
+  double true_way_m_ = 0.0;
+  std::int64_t last_utime_ = 0;
+  std::optional<std::int64_t> behind_us_;  ///< of the clock of this computer, at least
+};
+
+}  // namespace adit

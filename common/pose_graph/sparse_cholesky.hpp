@@ -112,8 +112,6 @@ class SparseCholesky {
   [[nodiscard]] SelectedInverse selected_inverse(
       const std::vector<std::array<int, 2>>& pairs) const;
 
-  /// Rows of A.
-  [[nodiscard]] Eigen::Index size() const { return row(static_cast<int>(position_.size())); }
   /// Number of entries of L.
   [[nodiscard]] std::size_t factor_entries() const;
 

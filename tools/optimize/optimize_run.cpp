@@ -92,7 +92,6 @@ OptimizeRun optimize_with_runs(G2oGraph& file, const std::vector<std::filesystem
   OptimizeRun run;
   GrowingOptimum optimum(std::move(file.graph), {}, run.stopwatch.observer());
   run.result = optimum.result();
-  file.graph = optimum.graph();
   require_poses(file, run.result);
   for (const std::filesystem::path& path : runs) {
     if (progress)

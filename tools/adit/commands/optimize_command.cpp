@@ -67,7 +67,7 @@ Runs added to the optimum:
                    find the optimum of all again by the factorization of GRAPH: seconds instead of minutes on a
                    graph of a million poses. May be repeated. The output then includes, for each run, the
                    objective with it, the steps, the factorizations (0 unless the run changes the graph so much
-                   that everything was solved anew) and the time.
+                   that all was optimized again) and the time.
 
   --order best_first   revoke first the decisions with the best bound on the likelihood
   --order threshold    revoke the latest decisions first, then earlier ones, until the new loop closure is

@@ -84,7 +84,7 @@ TEST(GrowingOptimum, TakesConstraintsBetweenPosesOfTheGraphAndBothDirections) {
   EXPECT_LT(difference(growing.graph(), optimum(complete)), 1e-5);
 }
 
-TEST(GrowingOptimum, SolvesAnewWhereARunBendsTheGraph) {
+TEST(GrowingOptimum, OptimizesTheCompleteGraphWhereARunBendsIt) {
   // A chain of odometry alone: the first loop moves it by metres.
   PoseGraph chain = test::square_trajectory_graph(300, 20, 0.2, 2);
   std::vector<PoseConstraint> loops;

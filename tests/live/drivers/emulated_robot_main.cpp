@@ -80,7 +80,7 @@ class EmulatedRobot {
     fmt::print("scans {}, of them without one of the simulator {}; drive commands {}\n", scans_,
                missing_, base_.drives());
     fmt::print("{:.2f} m from the start by the truth, after {:.1f} m\n", robot_.true_distance_m(),
-               robot_.true_way_m());
+               robot_.true_travel_m());
   }
 
  private:
@@ -104,8 +104,8 @@ class EmulatedRobot {
   }
 
   [[nodiscard]] std::array<double, 2> ticks(std::int64_t utime) const {
-    const auto way_m = robot_.way_m(utime);
-    return {way_m[0] * kTicksPerM, way_m[1] * kTicksPerM};
+    const auto travel_m = robot_.travel_m(utime);
+    return {travel_m[0] * kTicksPerM, travel_m[1] * kTicksPerM};
   }
   [[nodiscard]] double position(std::int64_t utime) const {
     return kLevelTicks + robot_.tilt_rad(utime) * kTicksPerRad;

@@ -42,7 +42,7 @@ SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m)
   subscribe<pose_t>(bus_, channels::kTruth, Delivery::queued(kQueue),
                     [this](const StampedPose& pose) {
                       const Eigen::Vector2d place = pose.T_odom_body.translation();
-                      if (first_place_) true_way_m_ += (place - last_place_).norm();
+                      if (first_place_) true_travel_m_ += (place - last_place_).norm();
                       if (!first_place_) first_place_ = place;
                       last_place_ = place;
                     });
@@ -69,22 +69,23 @@ void SimulatedRobot::note(std::int64_t utime) {
   last_utime_ = std::max(last_utime_, utime);
 }
 
-/// The ways of both sides are those whose mean and difference are the measured motion.
+/// The distances of both sides are those whose mean and difference are the measured motion.
 void SimulatedRobot::handle(const WheelOdometry& odometry) {
   note(odometry.utime);
   if (last_) {
     const Pose2 motion = between(last_->T_wheel_body, odometry.T_wheel_body);
     const double turn = odometry.T_wheel_body.theta - last_->T_wheel_body.theta;
     const double ahead_m = std::copysign(std::hypot(motion.x, motion.y), motion.x);
-    way_m_[0] += ahead_m - 0.5 * turn * track_m_;
-    way_m_[1] += ahead_m + 0.5 * turn * track_m_;
+    travel_m_[0] += ahead_m - 0.5 * turn * track_m_;
+    travel_m_[1] += ahead_m + 0.5 * turn * track_m_;
   }
   last_ = odometry;
-  ways_.add(odometry.utime, way_m_);
+  travel_history_.add(odometry.utime, travel_m_);
 }
 
 std::optional<std::int64_t> SimulatedRobot::now() const {
-  if (ways_.empty() || tilt_.empty() || motion_.empty() || scans_.empty()) return std::nullopt;
+  if (travel_history_.empty() || tilt_.empty() || motion_.empty() || scans_.empty())
+    return std::nullopt;
   return wall_utime() - *behind_us_ - kLateUs;
 }
 

@@ -58,7 +58,8 @@ class History {
 /// commands: the world of emulated devices.
 class SimulatedRobot {
  public:
-  /// `track_m`: between the sides of the vehicle, by which a turn is a difference of their ways.
+  /// `track_m`: between the sides of the vehicle, by which a turn is a difference of their
+  /// distances.
   SimulatedRobot(const std::string& lcm_url, double track_m);
 
   /// Handles messages that have arrived.
@@ -68,15 +69,17 @@ class SimulatedRobot {
   /// arrived; empty before the first of each kind.
   [[nodiscard]] std::optional<std::int64_t> now() const;
 
-  [[nodiscard]] std::array<double, 2> way_m(std::int64_t utime) const { return ways_.at(utime); }
+  [[nodiscard]] std::array<double, 2> travel_m(std::int64_t utime) const {
+    return travel_history_.at(utime);
+  }
   [[nodiscard]] double tilt_rad(std::int64_t utime) const { return tilt_.at(utime)[0]; }
   /// Accelerations [m/s²], then rates [rad/s], in the body frame.
   [[nodiscard]] std::array<double, 6> motion(std::int64_t utime) const { return motion_.at(utime); }
   /// The scan whose first beam is nearest to a time; null without scans.
   [[nodiscard]] const LaserScan* scan(std::int64_t utime) const;
 
-  /// True way so far and distance from its begin, in plan [m].
-  [[nodiscard]] double true_way_m() const { return true_way_m_; }
+  /// True distance driven so far and distance from its begin, in plan [m].
+  [[nodiscard]] double true_travel_m() const { return true_travel_m_; }
   [[nodiscard]] double true_distance_m() const;
 
   /// Publishes what the base and the servo were told.
@@ -90,14 +93,14 @@ class SimulatedRobot {
   LcmBus bus_;
   double track_m_;
   std::optional<WheelOdometry> last_;
-  std::array<double, 2> way_m_{};
-  History<2> ways_;
+  std::array<double, 2> travel_m_{};
+  History<2> travel_history_;
   History<1> tilt_;
   History<6> motion_;
   std::deque<LaserScan> scans_;
   std::optional<Eigen::Vector2d> first_place_;
   Eigen::Vector2d last_place_ = Eigen::Vector2d::Zero();
-  double true_way_m_ = 0.0;
+  double true_travel_m_ = 0.0;
   std::int64_t last_utime_ = 0;
   std::optional<std::int64_t> behind_us_;  ///< of the clock of this computer, at least
 };

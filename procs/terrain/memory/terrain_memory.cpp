@@ -94,8 +94,17 @@ std::uint16_t obstacle_parts(const TerrainMap& map, const Eigen::Vector2i& at,
   return parts;
 }
 
+/// Whether all that the new scan observed in a cell hangs over ground that an earlier one observed,
+/// too high for an obstacle: behind a crest only the roof is visible.
+bool shows_only_roof(const TerrainCell& cell, const RememberedCell& before, float headroom_m) {
+  return before.ground == Ground::kObserved && before.count > 0 &&
+         cell.low_m > before.low_m + headroom_m;
+}
+
 /// Merges a recalled cell into a cell of the map. Returns whether the cell was replaced.
-bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float obstacle_m) {
+bool fill(TerrainCell& cell, const RememberedCell& before, bool changed,
+          const TerrainParams& params) {
+  const float obstacle_m = obstacle_height_m(params.vehicle);
   const bool was_obstacle = is_obstacle(before, obstacle_m);
   switch (cell.ground) {
     case Ground::kNeverObserved:
@@ -114,6 +123,11 @@ bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float o
   }
   if (cell.count == 0 &&
       was_obstacle) {  // interpolated between beams that passed beside the obstacle
+    replace(cell, before);
+    return true;
+  }
+  if (shows_only_roof(cell, before, static_cast<float>(params.headroom_m()))) {
+    cell.clearance_m = std::min(cell.clearance_m, cell.low_m);  // here the height of the roof
     replace(cell, before);
     return true;
   }
@@ -224,7 +238,6 @@ void TerrainMemory::gather_all(const TerrainMap& map,
 }
 
 void TerrainMemory::merge(TerrainMap& map, RememberedMap& single_scan) {
-  const float obstacle_m = obstacle_height_m(params_.vehicle);
   observed_at_m_.assign(map.cells.size(), static_cast<float>(path_.distance_travelled_m()));
   changed_ = changed_ground(map, recalled_, params_);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -235,7 +248,7 @@ void TerrainMemory::merge(TerrainMap& map, RememberedMap& single_scan) {
       single_scan.cell(i).invalidated = true;
       ++recall_result_.changed;
     }
-    if (fill(cell, recalled_[i], changed_[i] != 0, obstacle_m)) {
+    if (fill(cell, recalled_[i], changed_[i] != 0, params_)) {
       recall_result_.from[i] = from_[i];
       observed_at_m_[i] = static_cast<float>(maps_[from_[i] - 1U].distance_travelled_m());
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,47 @@ TEST(TerrainMemory, TransfersHeightsOverAChangeOfSlope) {
   for (double x = -2.35; x < 1.9; x += 0.1) {
     EXPECT_NEAR(cell_at(map, x, 0.35).low_m, height(x) - height(0.0), kNoise + 0.05 * kGrade) << x;
   }
+}
+
+/// Level ground as single scans observe it, heights of the roof in place of clearances.
+TerrainMap level_ground(std::int64_t utime) {
+  TerrainCell cell;
+  cell.ground = Ground::kObserved;
+  cell.count = 20;
+  cell.clearance_m = 2.0F;
+  TerrainMap map;
+  map.utime = utime;
+  map.cell_m = 0.1;
+  map.p_level_corner = {-5.0, -5.0};
+  map.cells = Grid2<TerrainCell>(100, 100, cell);
+  return map;
+}
+
+/// The first scan shows the floor; of one region the second shows only what hangs over it.
+TerrainCell recalled_below(float hanging_m) {
+  TerrainMemory memory({});
+  TerrainMap first = level_ground(1'000'000);
+  memory.recall(first);
+  TerrainMap second = level_ground(2'000'000);
+  TerrainCell& cell = second.cells.at({70, 50});
+  cell.low_m = cell.high_m = hanging_m;
+  cell.clearance_m = std::numeric_limits<float>::infinity();
+  memory.recall(second);
+  EXPECT_EQ(memory.recall_result().used, 1);
+  return cell;
+}
+
+TEST(TerrainMemory, DoesNotTakeARoofForAnObstacleOnEarlierGround) {
+  const TerrainCell cell = recalled_below(1.9F);
+  EXPECT_EQ(cell.low_m, 0.0F);
+  EXPECT_EQ(cell.high_m, 0.0F);
+  EXPECT_EQ(cell.clearance_m, 1.9F);
+}
+
+TEST(TerrainMemory, AddsAnObstacleToEarlierGround) {
+  const TerrainCell cell = recalled_below(0.9F);
+  EXPECT_EQ(cell.low_m, 0.0F);
+  EXPECT_EQ(cell.high_m, 0.9F);
 }
 
 TEST(TerrainMemory, RetainsObstaclesOutsideTheFieldOfView) {

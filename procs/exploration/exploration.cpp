@@ -131,7 +131,11 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
   patrol_.pass(patrol_places(), p_atlas_body(state), state.utime);
   update_pursuit(state, here);
   const auto within_budget = candidates(state, here);
-  if (state.returning_home) return to_home(state, *home_m, "the mission returns home");
+  if (state.returning_home) {
+    // Complete is claimed of a mission that turned around, too.
+    if (incomplete_reasons().empty() && verify_walls()) return make_decision(state);
+    return to_home(state, *home_m, "the mission returns home");
+  }
   if (returning_) return to_home(state, *home_m, "the corridor is explored to its end");
   if (const auto target = choose(state, within_budget)) return to_frontier(*target, state, here);
   if (retry_abandoned(state.utime) || verify_walls()) return make_decision(state);

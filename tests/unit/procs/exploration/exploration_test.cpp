@@ -427,6 +427,19 @@ TEST_F(DeadEnd, IsNotExploredUntilA3DScanShowsRock) {
   EXPECT_EQ(explorer_.decide().kind, Kind::kHome);
 }
 
+/// A mission that turned around at an obstacle does not call the mine complete either.
+TEST_F(DeadEnd, IsNotExploredWhenTheMissionReturnsBefore) {
+  for (double x_m = 0.0; x_m < 30.0; x_m += 5.0) scan_3d({x_m, 0.0, 0.0}, kBeforeTheEndM);
+  const auto return_home = [&] {
+    return explorer_.exploration.decide(
+        {explorer_.robot.utime(), explorer_.robot.T_map_body(), kPlenty, 0.0, true});
+  };
+  EXPECT_EQ(return_home().kind, Kind::kHome);
+  EXPECT_FALSE(return_home().complete);
+  scan_3d(explorer_.robot.T_map_body(), kBeyondTheEndM);
+  EXPECT_TRUE(return_home().complete);
+}
+
 /// The level lasers saw rising ground.
 TEST_F(DeadEnd, IsReopenedByA3DScanThatShowsGround) {
   ASSERT_TRUE(explorer_.decide().complete);

@@ -211,9 +211,12 @@ void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) cons
     }
     ++score.verdicts;
     const Frontier& frontier = log.report->frontiers[static_cast<std::size_t>(verdict.frontier)];
-    const Eigen::Vector2d beyond = frontier.p_map + kBeyondFrontierM * frontier.direction_map;
-    const std::size_t level = level_near(T_world_map * frontier.p_map, log.truth, truth_);
-    score.false_verdicts += mines_with_margin_[level].reachable(T_world_map * beyond) ? 1 : 0;
+    const PlanarMine& mine =
+        mines_with_margin_[level_near(T_world_map * frontier.p_map, log.truth, truth_)];
+    const bool passable = std::ranges::all_of(kBeyondFrontierM, [&](double beyond_m) {
+      return mine.reachable(T_world_map * (frontier.p_map + beyond_m * frontier.direction_map));
+    });
+    score.false_verdicts += passable ? 1 : 0;
   }
 }
 

@@ -60,9 +60,12 @@ struct MissionScore {
 /// area.
 class MissionTruth {
  public:
-  static constexpr double kCoverageRangeM = 8.0;   ///< within which corridor counts as observed
-  static constexpr double kBeyondFrontierM = 1.5;  ///< distance at which access is checked
-  static constexpr double kMarginM = 0.1;          ///< around the inflated vehicle
+  static constexpr double kCoverageRangeM = 8.0;  ///< within which corridor counts as observed
+  /// Distances beyond a frontier at which access is checked; a blockage is false if both are
+  /// reachable. The frontier is up to a metre before what blocks it, and on a grade that is too
+  /// steep a vehicle still gets as far as its front wheels hold the mean below the limit.
+  static constexpr std::array<double, 2> kBeyondFrontierM{1.5, 2.5};
+  static constexpr double kMarginM = 0.1;  ///< around the inflated vehicle
 
   explicit MissionTruth(const World& world);
 

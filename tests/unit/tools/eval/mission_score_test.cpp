@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/scores/mission_score.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sim/world/build_world.hpp"
+
+namespace adit::test {
+namespace {
+
+constexpr double kFootM = 20.0;
+
+/// A straight tunnel of 40 m with a grade of 10 m length, seen from x = 18 m.
+MissionTruth truth_with_grade(double grade) {
+  WorldDescription description;
+  description.heights.floor_relief.height_m = 0.0;
+  TunnelDescription main{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true};
+  main.rise_m = {kFootM, 0.0, kFootM + 10.0, 10.0 * grade, kFootM + 20.0, 10.0 * grade};
+  main.rise_grade = "sudden";
+  description.plan.tunnels = {main};
+  description.T_world_start = {3.0, 0.0, 0.0};
+  return MissionTruth(build_world(description));
+}
+
+/// Of a mission that calls the tunnel blocked at a frontier this far from its begin.
+int false_verdicts(const MissionTruth& truth, double frontier_x_m) {
+  MissionLog log;
+  for (int i = 0; i <= 100; ++i) {
+    const TimedPose at{1'000'000 + 100'000 * std::int64_t{i}, {3.0 + 0.15 * i, 0.0, 0.0}};
+    log.truth.push_back(at);
+    log.mapped.push_back(at);
+  }
+  log.estimated = log.mapped;
+  log.report.emplace();
+  log.report->frontiers.resize(1);
+  log.report->frontiers[0].p_map = {frontier_x_m, 0.0};
+  log.report->frontiers[0].direction_map = {1.0, 0.0};
+  log.verdicts.resize(1);
+  log.verdicts[0].frontier = 0;
+  const MissionScore score = truth.score(log);
+  EXPECT_EQ(score.verdicts, 1);
+  return score.false_verdicts;
+}
+
+TEST(MissionScore, ABlockageIsTrueAtAGradeThatIsTooSteep) {
+  const MissionTruth truth = truth_with_grade(0.5);
+  EXPECT_EQ(false_verdicts(truth, kFootM), 0);
+  EXPECT_EQ(false_verdicts(truth, kFootM - 1.0), 0);  // its front wheels get onto the grade
+  EXPECT_EQ(false_verdicts(truth, kFootM - 4.0), 1);  // and farther before it, it was not blocked
+}
+
+TEST(MissionScore, ABlockageIsFalseAtAGradeThatTheVehicleClimbs) {
+  const MissionTruth truth = truth_with_grade(0.25);
+  EXPECT_EQ(false_verdicts(truth, kFootM), 1);
+  EXPECT_EQ(false_verdicts(truth, kFootM - 1.0), 1);
+}
+
+}  // namespace
+}  // namespace adit::test

@@ -81,6 +81,7 @@ Recovery::Options Mission::recovery_options(double reached_m) const {
   options.is_short_cut_home =
       is_returning() && !homeward_progress_.is_blocked() && Retracing::leads_back(path) &&
       path.shared_length_m(target_.route_odom) < reached_m + kObstacleDepthM;
+  options.has_other_laser = params_.lasers.has_rear();
   options.can_rejoin = !options.is_short_cut_home && rejoin_length_m().has_value();
   return options;
 }
@@ -151,7 +152,9 @@ void Mission::retry_near_home(const std::string& reason) {
   if (home_arrival_.count_try()) {
     end_near_home(reason);
   } else {
-    request_scan(other_laser(), "close to home, scanning with the other laser: " + reason);
+    const bool has_rear = params_.lasers.has_rear();
+    request_scan(other_laser(), fmt::format("close to home, scanning {}: {}",
+                                            has_rear ? "with the other laser" : "again", reason));
   }
 }
 

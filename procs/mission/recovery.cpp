@@ -34,6 +34,8 @@ bool can_back_off(const Situation& s) {
   return s.options.can_back_off && !s.options.is_short_cut_home;
 }
 
+bool has_other_laser(const Situation& s) { return s.options.has_other_laser; }
+
 constexpr unsigned bit(Evidence evidence) { return 1U << static_cast<unsigned>(evidence); }
 constexpr unsigned kAnyEvidence = ~0U;
 constexpr unsigned kDriveFailed = bit(Evidence::kDriveFailed);
@@ -57,7 +59,7 @@ constexpr std::array<Rule, Recovery::kRules> kTable{{
     {Action::kRescan,         kDriveFailed, always,                     1,          false},
     {Action::kScanBeside,     kNotObserved, can_scan_beside,            1,          true},
     {Action::kApproach,       kNotObserved, can_approach,               1,          true},
-    {Action::kScanOtherLaser, kNotObserved, always,                     1,          true},
+    {Action::kScanOtherLaser, kNotObserved, has_other_laser,            1,          true},
     {Action::kRescan,         kAnyEvidence, is_first_without_path_back, kUnlimited, false},
     {Action::kBackOff,        kAnyEvidence, can_back_off,               2,          true},
     {Action::kAbandon,        kAnyEvidence, always,                     kUnlimited, false},

@@ -43,11 +43,12 @@ class Recovery {
     std::optional<Pose2> T_odom_end = {};  ///< where it ends, with the x axis along the route
   };
 
-  /// What the traversed path allows.
+  /// What the traversed path and the vehicle allow.
   struct Options {
     bool can_back_off = false;       ///< it is long enough
     bool can_rejoin = false;         ///< it leads towards the target
     bool is_short_cut_home = false;  ///< the route home leaves it before the obstacle
+    bool has_other_laser = true;     ///< which sees from another place
   };
 
   /// Returns true and resets all counters if the target changes.

@@ -35,6 +35,15 @@ TEST(Recovery, TriesAllViewpointsForUnobservedGround) {
   EXPECT_TRUE(recovery.is_uncertain());
 }
 
+/// The same laser at the same pose shows the same.
+TEST(Recovery, HasOneViewpointLessWithOneLaser) {
+  Recovery recovery;
+  const Recovery::Options one_laser{.can_back_off = true, .has_other_laser = false};
+  EXPECT_THAT(actions(recovery, {Evidence::kUnobserved, 2.0, "shadow"}, one_laser),
+              ElementsAre(Action::kScanBeside, Action::kApproach, Action::kBackOff,
+                          Action::kBackOff, Action::kAbandon));
+}
+
 TEST(Recovery, ChoosesAViewpointAgainThatItsDriveMissed) {
   Recovery recovery;
   const Recovery::Rejection shadow{Evidence::kUnobserved, 2.0, "shadow"};

@@ -79,7 +79,10 @@ void Guard::receive(const DriveCommand& command, std::int64_t now) {
 
 void Guard::receive(const VehicleState& state, std::int64_t now) {
   time_.advance_to(now);
-  if (state_received_.receive(time_.monotonic_us(state.utime))) state_ = state;
+  const std::int64_t at_us = time_.monotonic_us(state.utime);
+  if (!state_received_.receive(at_us)) return;
+  state_ = state;
+  travel_.add(state.speed_m_s, at_us);
 }
 
 void Guard::receive(const ImuReading& reading, std::int64_t now) {
@@ -127,8 +130,9 @@ void Guard::find_reasons() {
   reasons_.clear();
   const std::int64_t now_us = time_.now_us();
   const int direction = direction_of(commanded_motion());
+  const int travelled = travel_.direction() != 0 ? travel_.direction() : direction;
   const auto unless_retreat = [&](RetreatPermission& retreat, const Text& reason) {
-    return retreat.forbids(reason.has_value(), direction, now_us) ? reason : Text();
+    return retreat.forbids(reason.has_value(), direction, travelled, now_us) ? reason : Text();
   };
   add(StopKind::kObstacle, obstacle());
   add(StopKind::kLaser, lasers());

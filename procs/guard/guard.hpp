@@ -20,6 +20,7 @@
 #include "procs/guard/obstacle_check.hpp"
 #include "procs/guard/stop_release.hpp"
 #include "procs/guard/surroundings.hpp"
+#include "procs/guard/travel_direction.hpp"
 
 namespace adit {
 
@@ -102,6 +103,7 @@ class Guard {
   VehicleState state_;
   GasReading gas_;
   SinkageReading sinkage_;
+  TravelDirection travel_;
   RetreatPermission tilt_retreat_, sinkage_retreat_, gas_retreat_;
   StopLatch latch_;
   bool stopped_by_obstacle_ = false;  ///< since the last release

@@ -24,15 +24,16 @@ bool StopLatch::evaluate(bool has_reason, std::optional<std::int64_t> command_us
   return stopped_;
 }
 
-bool RetreatPermission::forbids(bool is_present, int direction, std::int64_t now_us) {
+bool RetreatPermission::forbids(bool is_present, int commanded, int travelled,
+                                std::int64_t now_us) {
   if (!is_present) {
     if (now_us - last_present_us_ > kClearAfterUs) entry_direction_.reset();
-    if (direction != 0) last_direction_ = direction;
+    if (travelled != 0) last_direction_ = travelled;
     return false;
   }
   last_present_us_ = now_us;
   if (!entry_direction_) entry_direction_ = last_direction_;
-  const bool retreats = *entry_direction_ != 0 && direction == -*entry_direction_;
+  const bool retreats = *entry_direction_ != 0 && commanded == -*entry_direction_;
   return !retreats;
 }
 

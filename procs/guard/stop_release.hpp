@@ -38,12 +38,13 @@ class RetreatPermission {
   /// while the vehicle retreats, and the direction of entry remains.
   static constexpr std::int64_t kClearAfterUs = 10'000'000;
 
-  /// Whether a command in a direction is forbidden, given whether the hazard is present. `now_us`
-  /// is in MonotonicTime and does not decrease.
-  bool forbids(bool is_present, int direction, std::int64_t now_us);
+  /// Whether a command in a direction is forbidden, given whether the hazard is present and in
+  /// which direction the vehicle came to where it is. `now_us` is in MonotonicTime and does not
+  /// decrease.
+  bool forbids(bool is_present, int commanded, int travelled, std::int64_t now_us);
 
  private:
-  int last_direction_ = 0;              ///< of the last drive without the hazard
+  int last_direction_ = 0;              ///< travelled last without the hazard
   std::optional<int> entry_direction_;  ///< in which the vehicle drove into it
   std::int64_t last_present_us_ = 0;    ///< time of its last presence
 };

@@ -217,6 +217,21 @@ TEST_F(GuardReasons, StopsForSinkage) {
   expect_only(StopKind::kSinkage, "sinkage stale for 1.5");
 }
 
+/// The mission turned around at the first centimetres of mud; the vehicle still came farther in
+/// while it braked, and the reading was late. It may leave as it came.
+TEST_F(GuardReasons, PermitsToLeaveMudThatWasMeasuredAfterTheCommandToReverse) {
+  robot_.state.speed_m_s = robot_.speed_m_s;
+  robot_.run(3.0);
+  robot_.speed_m_s = -0.3;
+  robot_.run(0.2);
+  robot_.sinkage.depth_m = {0.0, 0.16, 0.0, 0.0};
+  robot_.state.speed_m_s = -0.3;
+  EXPECT_FALSE(robot_.seconds_to_stop(5.0));
+  robot_.speed_m_s = 0.3;
+  EXPECT_TRUE(robot_.seconds_to_stop(0.1));
+  expect_only(StopKind::kSinkage, "front right wheel sunk in by 0.16 m, limit 0.15 m");
+}
+
 TEST_F(GuardReasons, StopsForGas) {
   robot_.gas.methane_share = 0.012;
   EXPECT_TRUE(robot_.seconds_to_stop(0.51));

@@ -15,6 +15,7 @@ namespace adit {
 namespace {
 
 constexpr double kOverhangM = 0.5;  // of a laser beyond the footprint; more is another unit
+constexpr double kAssumedBeyondMaxM = 0.5;  // ground that is seen and yet assumed to be even
 constexpr double kLeverMaxM = 0.5;  // between the beams and the tilt axis
 constexpr double kApartM = 0.1;     // between two lasers
 constexpr double kSideM = 0.05;     // from the middle line, of a laser that is not on it
@@ -143,6 +144,12 @@ void check_sweep(const NamedLaser& laser, const RobotConfig& robot, CheckResults
                "the ground between is never seen, and no path begins there; sweep farther down, or "
                "increase blind_ahead_m and know that it is assumed to be like the ground under the "
                "robot");
+  add_relation(results, assumed_m <= blind_m + kAssumedBeyondMaxM, "sweep",
+               fmt::format("{}: planning.c_space.ground.blind_ahead_m = {} <= {:.2f} + {} m",
+                           laser.name, assumed_m, blind_m, kAssumedBeyondMaxM),
+               "planning assumes ground to be even that the laser sees: a robot that turns on the "
+               "spot drives onto rails and over edges there; decrease blind_ahead_m, and "
+               "blind_beside_m to what the tail swings out");
 }
 
 /// Two lasers: front before rear, and not one of them left out.

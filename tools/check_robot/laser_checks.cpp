@@ -14,12 +14,12 @@
 namespace adit {
 namespace {
 
-constexpr double kOverhangM = 0.5;  // of a laser beyond the footprint; more is another unit
+constexpr double kOverhangM = 0.5;          // of a laser beyond the footprint; more is another unit
 constexpr double kAssumedBeyondMaxM = 0.5;  // ground that is seen and yet assumed to be even
-constexpr double kLeverMaxM = 0.5;  // between the beams and the tilt axis
-constexpr double kApartM = 0.1;     // between two lasers
-constexpr double kSideM = 0.05;     // from the middle line, of a laser that is not on it
-constexpr double kStrayRad = 0.1;   // between both signs of an angle, from which the sign counts
+constexpr double kLeverMaxM = 0.5;          // between the beams and the tilt axis
+constexpr double kApartM = 0.1;             // between two lasers
+constexpr double kSideM = 0.05;             // from the middle line, of a laser that is not on it
+constexpr double kStrayRad = 0.1;  // between both signs of an angle, from which the sign counts
 constexpr double kRangeUsefulM = 3.0;
 
 std::string key(const NamedLaser& laser, const char* name) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "common/sensing/laser_scan.hpp"
@@ -15,6 +16,18 @@ struct TiltReading {
   double rate_rad_s = 0.0;
 
   friend bool operator==(const TiltReading&, const TiltReading&) = default;
+};
+
+/// When a laser is level enough for its scans to be scans of a plane. A rate that is not a number
+/// is unknown, and does not count.
+struct LevelTilt {
+  double angle_max_rad = 0.0;
+  double rate_max_rad_s = 0.0;
+
+  [[nodiscard]] bool is_level(const TiltReading& tilt) const {
+    return std::abs(tilt.angle_rad) <= angle_max_rad &&
+           !(std::abs(tilt.rate_rad_s) > rate_max_rad_s);
+  }
 };
 
 /// Target angle of a tilting laser, and the rate at which to reach it. The laser holds the target.

@@ -53,6 +53,9 @@ struct ScanMatchingParams {
                      ///< laser, or of all, is reset
   /// Scans of a laser with a larger tilt are ignored; scan_assembly uses them.
   double tilt_max_rad = 0.03;
+  /// And so are those of a laser whose tilt still changes: what leans ahead seems to move, by 4 cm
+  /// a scan on a slope.
+  double tilt_rate_max_rad_s = 0.05;
   bool lasers_tilt = false;  ///< scans are ignored until the tilt of their laser is known
 
   template <class V>
@@ -75,6 +78,7 @@ struct ScanMatchingParams {
     v("inlier_share_min", inlier_share_min, within(0.0, 1.0));
     v("lost_max", lost_max, at_least(1));
     v("tilt_max_rad", tilt_max_rad, above(0.0));
+    v("tilt_rate_max_rad_s", tilt_rate_max_rad_s, above(0.0));
     v("lasers_tilt", lasers_tilt);
   }
 };

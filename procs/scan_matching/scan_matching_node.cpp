@@ -32,7 +32,7 @@ Health health_of(const ScanMatch& match) {
 
 ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
     : bus_(bus),
-      tilt_max_rad_(params.tilt_max_rad),
+      level_tilt_{params.tilt_max_rad, params.tilt_rate_max_rad_s},
       lasers_tilt_(params.lasers_tilt),
       scan_matching_(params) {
   const auto measured = Delivery::queued(kReadingsWaiting);
@@ -58,7 +58,7 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
     // would never receive the tilt of a laser.
     subscribe_measured<tilt_t>(
         bus, clocks_, tilt, measured,
-        [this, laser](const TiltReading& reading) { tilt_rad_[laser] = reading.angle_rad; });
+        [this, laser](const TiltReading& reading) { tilt_[laser] = reading; });
     subscribe_measured<planar_lidar_t>(
         bus, clocks_, scans, Delivery::queued(kScansWaiting),
         [this, laser, channel = std::string(scans)](const LaserScan& scan) {
@@ -77,8 +77,8 @@ Health ScanMatchingNode::health() const {
 
 /// After a power loss in the middle of a sweep, the laser is still tilted.
 bool ScanMatchingNode::is_level(LaserId laser) const {
-  const auto tilt = tilt_rad_.find(laser);
-  return tilt == tilt_rad_.end() ? !lasers_tilt_ : std::abs(tilt->second) <= tilt_max_rad_;
+  const auto tilt = tilt_.find(laser);
+  return tilt == tilt_.end() ? !lasers_tilt_ : level_tilt_.is_level(tilt->second);
 }
 
 void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const LaserScan& scan) {

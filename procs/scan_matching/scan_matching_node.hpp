@@ -9,6 +9,7 @@
 #include "common/messages/diagnostics.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/terrain.hpp"
+#include "common/sensing/laser_tilt.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 
 namespace adit {
@@ -35,13 +36,13 @@ class ScanMatchingNode {
   [[nodiscard]] bool is_level(LaserId laser) const;
 
   Bus& bus_;
-  double tilt_max_rad_;
+  LevelTilt level_tilt_;
   bool lasers_tilt_;
   ScanMatching scan_matching_;
   SensorClocks clocks_{[this] { scan_matching_.restart_time(); }};
   CloudReassembler clouds_;
   TerrainReassembler terrain_;
-  std::map<LaserId, double> tilt_rad_;
+  std::map<LaserId, TiltReading> tilt_;
   Health health_;
 };
 

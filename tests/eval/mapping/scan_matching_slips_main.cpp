@@ -88,18 +88,17 @@ class Rematched {
   }
 
   void subscribe_laser(LaserId laser, std::string_view scans, std::string_view tilts) {
-    subscribe<tilt_t>(bus_, tilts, Delivery::queued(500), [this, laser](const TiltReading& tilt) {
-      tilt_rad_[laser] = tilt.angle_rad;
-    });
+    subscribe<tilt_t>(bus_, tilts, Delivery::queued(500),
+                      [this, laser](const TiltReading& tilt) { tilt_[laser] = tilt; });
     subscribe<planar_lidar_t>(bus_, scans, Delivery::queued(100),
                               [this, laser](const LaserScan& scan) { match(laser, scan); });
   }
 
   void match(LaserId laser, const LaserScan& scan) {
-    const auto tilt = tilt_rad_.find(laser);
-    if (tilt == tilt_rad_.end() || std::abs(tilt->second) > ScanMatchingParams{}.tilt_max_rad) {
-      return;
-    }
+    const ScanMatchingParams params;
+    const LevelTilt level{params.tilt_max_rad, params.tilt_rate_max_rad_s};
+    const auto tilt = tilt_.find(laser);
+    if (tilt == tilt_.end() || !level.is_level(tilt->second)) return;
     const ScanMatch match = matching_.add_scan(laser, scan);
     if (match.status == ScanMatch::Status::kRejected) return;
     matched_.push_back({match.utime, match.T_odom_body, match.z_m});
@@ -155,7 +154,7 @@ class Rematched {
   MemoryBus bus_;
   ScanMatching matching_;
   TerrainReassembler terrain_;
-  std::map<LaserId, double> tilt_rad_;
+  std::map<LaserId, TiltReading> tilt_;
   Trajectory recorded_;
   Trajectory matched_;
   Trajectory truth_;

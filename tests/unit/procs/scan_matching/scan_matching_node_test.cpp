@@ -33,8 +33,9 @@ class ScanMatchingNodeOnABus : public testing::Test {
     const LaserScan seen = laser_.measure(T_world_body, utime);
     bus_.inject(utime, channels::kLaserFront, encode(to_message(seen)));
   }
-  void tilt(std::int64_t utime, double angle_rad) {
-    bus_.inject(utime, channels::kTiltFront, encode(to_message(TiltReading{utime, angle_rad, 0})));
+  void tilt(std::int64_t utime, double angle_rad, double rate_rad_s = 0.0) {
+    const TiltReading reading{utime, angle_rad, rate_rad_s};
+    bus_.inject(utime, channels::kTiltFront, encode(to_message(reading)));
   }
 
   test::LevelLaser laser_{test::crooked_room(), 1};
@@ -71,6 +72,17 @@ TEST_F(ScanMatchingNodeOnABus, IgnoresTiltedScans) {
   scan(kStart + 200'000, {-1.9, 0.0, 0.0});
   EXPECT_EQ(matches_.size(), 1U);
   tilt(kStart + 300'000, 0.0);
+  scan(kStart + 400'000, {-1.8, 0.0, 0.0});
+  EXPECT_EQ(matches_.size(), 2U);
+}
+
+/// Between two scans 0.02 rad move the beams that meet a slope ahead by decimetres.
+TEST_F(ScanMatchingNodeOnABus, IgnoresScansOfALaserThatStillTilts) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  tilt(kStart + 100'000, 0.02, -0.3);
+  scan(kStart + 200'000, {-1.9, 0.0, 0.0});
+  EXPECT_EQ(matches_.size(), 1U);
+  tilt(kStart + 300'000, 0.001, -0.02);  // the noise of a servo that holds
   scan(kStart + 400'000, {-1.8, 0.0, 0.0});
   EXPECT_EQ(matches_.size(), 2U);
 }

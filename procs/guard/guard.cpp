@@ -14,8 +14,7 @@
 namespace adit {
 namespace {
 
-constexpr double kStoppedM_S = 0.01;  // measured speed below which the vehicle stands
-constexpr double kRoundingM = 1e-6;   // of sums of lengths that are equal
+constexpr double kRoundingM = 1e-6;  // of sums of lengths that are equal
 
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
@@ -169,7 +168,7 @@ ArcMotion Guard::commanded_motion() const {
 /// The motion differs from the command while the vehicle brakes or steers.
 ArcMotion Guard::measured_motion() const {
   if (!state_received_.is_fresh(time_.now_us(), params_.timeout_s)) return {};
-  if (std::abs(state_.speed_m_s) < kStoppedM_S) return {};
+  if (std::abs(state_.speed_m_s) < TravelDirection::kStandsM_S) return {};
   return {state_.speed_m_s, state_.curvature_1_m};
 }
 

@@ -10,7 +10,6 @@
 namespace adit {
 namespace {
 
-constexpr double kStandsM_S = 0.01;
 constexpr double kGapMaxS =
     0.5;  // between readings; how far it travelled in a longer one is unknown
 

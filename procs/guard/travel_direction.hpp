@@ -15,6 +15,8 @@ class TravelDirection {
  public:
   static constexpr double kReversalM = 0.3;  ///< travelled back, after which the direction is new
 
+  static constexpr double kStandsM_S = 0.01;  ///< measured speed below which the vehicle stands
+
   /// The measured speed [m/s], ahead positive, at a time in MonotonicTime [µs], which does not
   /// decrease.
   void add(double speed_m_s, std::int64_t at_us);

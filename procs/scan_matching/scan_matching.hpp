@@ -14,6 +14,7 @@
 #include "common/registration/surface_points.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/laser_tilt.hpp"
 #include "common/sensing/match_doubt.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/cloud.hpp"
@@ -51,11 +52,9 @@ struct ScanMatchingParams {
   double inlier_share_min = 0.25;  ///< and its minimum share of inliers
   int lost_max = 3;  ///< consecutive lost scans, of a laser or of all, before the reference of this
                      ///< laser, or of all, is reset
-  /// Scans of a laser with a larger tilt are ignored; scan_assembly uses them.
-  double tilt_max_rad = 0.03;
-  /// And so are those of a laser whose tilt still changes: what leans ahead seems to move, by 4 cm
-  /// a scan on a slope.
-  double tilt_rate_max_rad_s = 0.05;
+  /// Scans of a laser with a larger tilt are ignored; scan_assembly uses them. And so are those of
+  /// a laser whose tilt still changes: what leans ahead seems to move, by 4 cm a scan on a slope.
+  LevelTilt level_tilt{.angle_max_rad = 0.03, .rate_max_rad_s = 0.05};
   bool lasers_tilt = false;  ///< scans are ignored until the tilt of their laser is known
 
   template <class V>
@@ -77,8 +76,8 @@ struct ScanMatchingParams {
     v("lost_score", lost_score, within(0.0, 1.0));
     v("inlier_share_min", inlier_share_min, within(0.0, 1.0));
     v("lost_max", lost_max, at_least(1));
-    v("tilt_max_rad", tilt_max_rad, above(0.0));
-    v("tilt_rate_max_rad_s", tilt_rate_max_rad_s, above(0.0));
+    v("tilt_max_rad", level_tilt.angle_max_rad, above(0.0));
+    v("tilt_rate_max_rad_s", level_tilt.rate_max_rad_s, above(0.0));
     v("lasers_tilt", lasers_tilt);
   }
 };

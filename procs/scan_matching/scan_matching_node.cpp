@@ -32,7 +32,7 @@ Health health_of(const ScanMatch& match) {
 
 ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
     : bus_(bus),
-      level_tilt_{params.tilt_max_rad, params.tilt_rate_max_rad_s},
+      level_tilt_(params.level_tilt),
       lasers_tilt_(params.lasers_tilt),
       scan_matching_(params) {
   const auto measured = Delivery::queued(kReadingsWaiting);

@@ -94,11 +94,11 @@ std::uint16_t obstacle_parts(const TerrainMap& map, const Eigen::Vector2i& at,
   return parts;
 }
 
-/// Whether all that the new scan observed in a cell hangs over ground that an earlier one observed,
-/// too high for an obstacle: behind a crest only the roof is visible.
-bool shows_only_roof(const TerrainCell& cell, const RememberedCell& before, float headroom_m) {
+/// Whether the lowest that the new scan observed in a cell lies higher than this above ground that
+/// an earlier one observed.
+bool lies_above_ground(const TerrainCell& cell, const RememberedCell& before, float higher_m) {
   return before.ground == Ground::kObserved && before.count > 0 &&
-         cell.low_m > before.low_m + headroom_m;
+         cell.low_m > before.low_m + higher_m;
 }
 
 /// Merges a recalled cell into a cell of the map. Returns whether the cell was replaced.
@@ -126,13 +126,13 @@ bool fill(TerrainCell& cell, const RememberedCell& before, bool changed,
     replace(cell, before);
     return true;
   }
-  if (shows_only_roof(cell, before, static_cast<float>(params.headroom_m()))) {
+  if (lies_above_ground(cell, before, static_cast<float>(params.headroom_m()))) {
+    // Too high for an obstacle: behind a crest only the roof is visible.
     cell.clearance_m = std::min(cell.clearance_m, cell.low_m);  // here the height of the roof
     replace(cell, before);
     return true;
   }
-  if (before.ground == Ground::kObserved && before.count > 0 &&
-      cell.low_m > before.low_m + kLowerM) {
+  if (lies_above_ground(cell, before, kLowerM)) {
     cell.low_m = before.low_m;  // the new scan observed only an obstacle, not the ground below
   }
   if (!std::isfinite(cell.clearance_m) && before.ground == Ground::kObserved &&

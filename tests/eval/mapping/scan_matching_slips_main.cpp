@@ -95,10 +95,8 @@ class Rematched {
   }
 
   void match(LaserId laser, const LaserScan& scan) {
-    const ScanMatchingParams params;
-    const LevelTilt level{params.tilt_max_rad, params.tilt_rate_max_rad_s};
     const auto tilt = tilt_.find(laser);
-    if (tilt == tilt_.end() || !level.is_level(tilt->second)) return;
+    if (tilt == tilt_.end() || !ScanMatchingParams{}.level_tilt.is_level(tilt->second)) return;
     const ScanMatch match = matching_.add_scan(laser, scan);
     if (match.status == ScanMatch::Status::kRejected) return;
     matched_.push_back({match.utime, match.T_odom_body, match.z_m});

@@ -12,6 +12,7 @@ namespace adit {
 namespace {
 
 constexpr double kApproachMinM = 0.1;  // a path to a place must come nearer by as much
+constexpr double kDirectionM = 1.0;    // of a route, that gives the direction at a point
 
 Eigen::Vector2d unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -191,7 +192,9 @@ double GoalField::progress(const GoalRoute::Projection& projection) const {
 }
 
 Eigen::Vector2d GoalField::direction(const Eigen::Vector2d& p_level) const {
-  return has_route() && !route_.empty() ? route_.nearest(p_level).tangent : direction_;
+  if (!has_route() || route_.empty()) return direction_;
+  const double s_m = route_.nearest(p_level).s_m;
+  return (route_.point(s_m + kDirectionM) - route_.point(s_m)).normalized();
 }
 
 }  // namespace adit

@@ -70,7 +70,8 @@ class GoalField : public GoalArray {
   [[nodiscard]] double min_progress() const { return min_progress_m_; }
   /// Whether the robot continues towards the goal after a path that ends here.
   [[nodiscard]] bool continues_beyond(const Eigen::Vector2d& p_level) const;
-  /// Direction towards the goal at a point, a unit vector.
+  /// Direction towards the goal at a point, a unit vector: along a route that of its next metre, as
+  /// the first segment of a route may be short and oblique.
   [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 
  private:

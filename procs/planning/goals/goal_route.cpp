@@ -36,4 +36,13 @@ GoalRoute::Projection GoalRoute::nearest(const Eigen::Vector2d& p_level) const {
   return best;
 }
 
+Eigen::Vector2d GoalRoute::point(double s_m) const {
+  const auto after = std::ranges::upper_bound(s_m_, s_m);
+  const auto segments = static_cast<std::ptrdiff_t>(points_.size()) - 1;
+  const auto i = static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - s_m_.begin() - 1, 0, segments - 1));
+  const double share = (s_m - s_m_[i]) / (s_m_[i + 1] - s_m_[i]);
+  return points_[i] + share * (points_[i + 1] - points_[i]);
+}
+
 }  // namespace adit

@@ -27,6 +27,9 @@ class GoalRoute {
   [[nodiscard]] double length_m() const { return s_m_.empty() ? 0.0 : s_m_.back(); }
   /// The route must not be empty. The first of several nearest points.
   [[nodiscard]] Projection nearest(const Eigen::Vector2d& p_level) const;
+  /// The point at an arc length, in level; the last segment is extended beyond its end. The route
+  /// must not be empty.
+  [[nodiscard]] Eigen::Vector2d point(double s_m) const;
 
  private:
   std::vector<Eigen::Vector2d> points_;

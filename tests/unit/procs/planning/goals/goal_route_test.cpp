@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,15 @@ TEST(GoalRoute, LeavesOutDuplicatePoints) {
   const GoalRoute route(Points{{0, 0}, {0, 0}, {2, 0}, {2, 0}});
   EXPECT_DOUBLE_EQ(route.length_m(), 2.0);
   EXPECT_DOUBLE_EQ(route.nearest({1.5, 1.0}).s_m, 1.5);
+}
+
+TEST(GoalRoute, HasThePointAtAnArcLength) {
+  const GoalRoute route(Points{{0, 0}, {2, 0}, {2, 1}});
+  EXPECT_LT((route.point(0.0) - Eigen::Vector2d(0, 0)).norm(), 1e-12);
+  EXPECT_LT((route.point(1.5) - Eigen::Vector2d(1.5, 0)).norm(), 1e-12);
+  EXPECT_LT((route.point(2.0) - Eigen::Vector2d(2, 0)).norm(), 1e-12);
+  EXPECT_LT((route.point(2.5) - Eigen::Vector2d(2, 0.5)).norm(), 1e-12);
+  EXPECT_LT((route.point(5.0) - Eigen::Vector2d(2, 3)).norm(), 1e-12);
 }
 
 /// A tunnel along x, 3 m wide, and another across it at x = 6 m, to the left or to both sides.
@@ -108,6 +118,20 @@ TEST(PlanningAlongARoute, IsBlockedByAWall) {
   const PlannedPath path = plan_along(terrain, {{0, 0}, {8, 0}});
   EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
   EXPECT_LE(path.reached_m, 3.0 - 1.2 + 0.1);  // half a vehicle before it, and a cell
+}
+
+/// The first segment leads from the robot to the middle of the tunnel, and towards its wall.
+TEST(PlanningAlongARoute, IsBlockedByTheWaterAheadNotByTheWallBesideIt) {
+  for (const double start_m : {-0.3, 0.3}) {
+    TerrainMap terrain = crossing(true);
+    for (const double y : {-1.5, 1.1}) {
+      paint_box(terrain, obstacle_cell(2.0), {-2.0, y}, {9.0, y + 0.4});
+    }
+    paint_box(terrain, unmeasured_cell(Ground::kNoReturn), {1.8, -1.1}, {9.0, 1.1});
+    const PlannedPath path = plan_along(terrain, {{0, start_m}, {0.6, 0}, {12, 0}});
+    ASSERT_EQ(path.outcome, PlanOutcome::kBlocked);
+    EXPECT_NE(path.reason.find("possible water"), std::string::npos) << path.reason;
+  }
 }
 
 /// The diagonal of half a cell, and a quarter of it for which another 0.1 m of path does not pay.

@@ -135,7 +135,7 @@ test::MissionScore run_row(const MissionRow& row, const MissionRowOptions& optio
   const test::MissionLog log = test::read_mission(run.folder / "run.lcmlog");
   const Vehicle vehicle = load_simulation_params(options.config, {}).vehicle;
   test::MissionScore score =
-      test::MissionTruth(build_world(describe(row.world, vehicle))).score(log);
+      test::MissionTruth(build_world(describe(row.world, vehicle)), vehicle).score(log);
   score.wall_s = result.wall_s;
   if (!options.keep_log) std::filesystem::remove(run.folder / "run.lcmlog");
   return score;

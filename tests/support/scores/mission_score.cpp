@@ -19,20 +19,20 @@ constexpr double kCoverageStepM = 0.5;  // true distance between viewpoints
 constexpr double kSlopeMargin = 0.05;   // of the slope that an inflated vehicle surely climbs [rad]
 
 /// The sensors cannot measure the depth of water, so that planning rejects all water.
-Vehicle non_wading_vehicle() {
-  Vehicle vehicle;
+Vehicle non_wading(Vehicle vehicle) {
   vehicle.wading_depth_max_m = 0.0;
   return vehicle;
 }
 
-/// A vehicle with margins for all thresholds: wherever it fits, the real vehicle certainly fits.
-Vehicle vehicle_with_margin() {
-  Vehicle vehicle = non_wading_vehicle();
+/// The vehicle with margins for all thresholds: wherever it fits, the real one certainly fits.
+Vehicle with_margin(Vehicle vehicle) {
+  vehicle = non_wading(vehicle);
   vehicle.length_m += 2.0 * MissionTruth::kMarginM;
   vehicle.width_m += 2.0 * MissionTruth::kMarginM;
-  vehicle.height_m += 0.25;           // overhead margin of the terrain stage
-  vehicle.belly_clearance_m -= 0.08;  // margin of the terrain stage and ground roughness
-  vehicle.step_max_m -= 0.08;
+  vehicle.height_m += 0.25;  // overhead margin of the terrain stage
+  // Margin of the terrain stage and ground roughness; half of what a low vehicle has.
+  vehicle.belly_clearance_m -= std::min(0.08, 0.5 * vehicle.belly_clearance_m);
+  vehicle.step_max_m -= std::min(0.08, 0.5 * vehicle.step_max_m);
   return vehicle;
 }
 
@@ -159,10 +159,10 @@ std::size_t level_near(const Eigen::Vector2d& p_world, const Trajectory& poses,
 
 }  // namespace
 
-MissionTruth::MissionTruth(const World& world)
+MissionTruth::MissionTruth(const World& world, const Vehicle& vehicle)
     : truth_(world.truth),
-      mines_(planar_mines(world, non_wading_vehicle(), kSlopeMaxRad)),
-      mines_with_margin_(planar_mines(world, vehicle_with_margin(), kSlopeMaxRad - kSlopeMargin)) {}
+      mines_(planar_mines(world, non_wading(vehicle), kSlopeMaxRad)),
+      mines_with_margin_(planar_mines(world, with_margin(vehicle), kSlopeMaxRad - kSlopeMargin)) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;

@@ -67,7 +67,8 @@ class MissionTruth {
   static constexpr std::array<double, 2> kBeyondFrontierM{1.5, 2.5};
   static constexpr double kMarginM = 0.1;  ///< around the inflated vehicle
 
-  explicit MissionTruth(const World& world);
+  /// `vehicle`: that of the mission, which decides what is reachable.
+  explicit MissionTruth(const World& world, const Vehicle& vehicle = {});
 
   /// All fields except `wall_s`.
   [[nodiscard]] MissionScore score(const MissionLog& log) const;

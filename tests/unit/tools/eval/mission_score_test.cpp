@@ -56,5 +56,18 @@ TEST(MissionScore, ABlockageIsFalseAtAGradeThatTheVehicleClimbs) {
   EXPECT_EQ(false_verdicts(truth, kFootM - 1.0), 1);
 }
 
+/// Under a roof of 0.85 m: Groundhog (1.0 m) does not get through, a vehicle of 0.5 m does.
+TEST(MissionScore, ABlockageIsJudgedForTheVehicleOfTheMission) {
+  WorldDescription description;
+  description.plan.tunnels = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true}};
+  description.T_world_start = {3.0, 0.0, 0.0};
+  description.props.low_roofs = {{"low", "main", kFootM, kFootM + 5.0, 0.85}};
+  const World world = build_world(description);
+  Vehicle low;
+  low.height_m = 0.5;
+  EXPECT_EQ(false_verdicts(MissionTruth(world), kFootM - 1.0), 0);
+  EXPECT_EQ(false_verdicts(MissionTruth(world, low), kFootM - 1.0), 1);
+}
+
 }  // namespace
 }  // namespace adit::test

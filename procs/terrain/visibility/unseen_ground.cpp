@@ -178,6 +178,12 @@ bool has_more_evidence(const GroundEvidence& observation, const TerrainCell& cel
   return evidence_rank(observation.ground) > evidence_rank(cell.ground);
 }
 
+/// Whether a cell has points of its own below the roof, which over a pit shows nothing of the
+/// floor.
+bool has_own_points(const TerrainCell& cell, float lowest_m, float headroom_m) {
+  return cell.ground == Ground::kObserved && lowest_m <= cell.low_m + headroom_m;
+}
+
 /// A region extends beyond the last points of the ground before a drop, and into occluded cells: a
 /// cell without points of its own is not ground if beams pass over it or do not reach it.
 bool is_past_edge(const GroundEvidence& observation, const TerrainCell& cell, float step_max_m) {
@@ -201,14 +207,14 @@ void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeigh
                             const GroundLevel& ground, const PassingBeams& beams,
                             const TerrainParams& params) {
   const auto step_max_m = static_cast<float>(params.vehicle.step_max_m);
+  const auto headroom_m = static_cast<float>(params.headroom_m());
   const BeamEnds ends(map, ground, beams, params);
   for (const auto& lines : lines_by_viewpoint(cloud)) {
     const SightLines sight(lines, ends, map, params);
     for (int row = 0; row < map.cells.rows(); ++row) {
       for (int column = 0; column < map.cells.columns(); ++column) {
         TerrainCell& cell = map.cells.at({column, row});
-        if (std::isfinite(heights.lowest_m(column, row)) && cell.ground == Ground::kObserved)
-          continue;
+        if (has_own_points(cell, heights.lowest_m(column, row), headroom_m)) continue;
         const Eigen::Vector2f p = map.centre(column, row).cast<float>();
         apply(sight.at(p.x(), p.y()), cell, step_max_m);
       }

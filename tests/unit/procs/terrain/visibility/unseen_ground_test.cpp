@@ -61,6 +61,29 @@ TEST(UnseenGround, InAPitIsBelowTheBeamsOverIt) {
   EXPECT_LT(cell_at(map, 6.5, 0.0).coefficient_m, 0.03);
 }
 
+/// Points of the roof above a cell are not points of its ground. A rail spans the pit.
+TEST(UnseenGround, InAPitIsTheSameUnderARoof) {
+  const auto pit = [](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 4.0);
+    add_ground(builder, 4.0, 4.8, -1.0);
+    add_ground(builder, 4.8, 15.0);
+    add_rock(builder, {5.0, 0.5, -0.03}, {10.0, 0.06, 0.1});
+  };
+  const TerrainMap open = map_of(pit);
+  const TerrainMap roofed = map_of([&](MeshBuilder& builder) {
+    pit(builder);
+    add_rock(builder, {5.0, 0.0, 2.5}, {20.0, 4.0, 1.0});
+  });
+  int below_beams = 0;
+  for (double x = 3.55; x < 5.5; x += 0.1) {
+    for (double y = -0.95; y < 1.0; y += 0.1) {
+      EXPECT_EQ(cell_at(roofed, x, y).ground, cell_at(open, x, y).ground) << x << " " << y;
+      below_beams += cell_at(open, x, y).ground == Ground::kBelowRay ? 1 : 0;
+    }
+  }
+  EXPECT_GT(below_beams, 60);
+}
+
 /// For a rail of standard height, and the beams that pass over it.
 TEST(UnseenGround, BehindARailIsOccludedAndNotADrop) {
   const auto rail = [](MeshBuilder& builder) {

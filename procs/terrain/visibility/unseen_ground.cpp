@@ -184,11 +184,11 @@ bool has_own_points(const TerrainCell& cell, float lowest_m, float headroom_m) {
   return cell.ground == Ground::kObserved && lowest_m <= cell.low_m + headroom_m;
 }
 
-/// A region extends beyond the last points of the ground before a drop, and into occluded cells: a
-/// cell without points of its own is not ground if beams pass over it or do not reach it.
+/// A region extends beyond the last points of the ground before a drop: a cell without points of its
+/// own is not ground if beams pass over it. In the shadow of what stands on the ground it is.
 bool is_past_edge(const GroundEvidence& observation, const TerrainCell& cell, float step_max_m) {
   const bool missed =
-      observation.ground != Ground::kObserved && observation.ground != Ground::kNeverObserved;
+      observation.ground == Ground::kBelowRay || observation.ground == Ground::kNoReturn;
   return missed && cell.ground == Ground::kObserved && cell.high_m - cell.low_m < step_max_m;
 }
 

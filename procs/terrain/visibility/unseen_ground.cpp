@@ -184,8 +184,8 @@ bool has_own_points(const TerrainCell& cell, float lowest_m, float headroom_m) {
   return cell.ground == Ground::kObserved && lowest_m <= cell.low_m + headroom_m;
 }
 
-/// A region extends beyond the last points of the ground before a drop: a cell without points of its
-/// own is not ground if beams pass over it. In the shadow of what stands on the ground it is.
+/// A region extends beyond the last points of the ground before a drop: a cell without points of
+/// its own is not ground if beams pass over it. In the shadow of what stands on the ground it is.
 bool is_past_edge(const GroundEvidence& observation, const TerrainCell& cell, float step_max_m) {
   const bool missed =
       observation.ground == Ground::kBelowRay || observation.ground == Ground::kNoReturn;

@@ -55,6 +55,7 @@ runs=()
 for name in w1 n1 e1 w2 e2 n2 w3 n3 w4 e3; do runs+=("$folder/$name"); done
 conditions "one run each"
 "$programs/merge_table" --same "${runs[@]}" || true
+"$programs/merge_table" --ahead-ms 28 --same "${runs[@]}" | tail -1 || true
 echo
 "$adit" merge "${runs[@]}" --out "$folder/merged" 2>/dev/null
 "$adit" merge "$folder"/{w1,n1,e1,f1,f2} --out "$folder/fall" 2>/dev/null

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/eval/merge/generated_runs.hpp"
 
+#include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -40,6 +43,13 @@ WorldDescription description(int seed) {
   return mine;
 }
 
+/// The nodes from which a tunnel leads, in order; the others are those of pillars and panels.
+std::vector<int> tunnel_nodes(const TunnelGraph& tunnels) {
+  std::set<int> nodes;
+  for (const TunnelEdge& edge : tunnels.edges) nodes.insert({edge.from, edge.to});
+  return {nodes.begin(), nodes.end()};
+}
+
 TrueRun walk(const std::string& name, const test::WallWorld& world,
              const std::vector<Eigen::Vector2d>& path, int seed, int robot) {
   test::WalkOptions options;
@@ -67,11 +77,13 @@ std::vector<TrueRun> ten_runs(int seed) {
   const World built = build_world(description(seed));
   const TunnelGraph tunnels = built.truth.tunnels;
   const test::WallWorld world(built, kLaserHeightM);
-  const auto nodes = static_cast<int>(tunnels.nodes.size());
-  const std::array<int, 3> starts{0, nodes / 2, nodes - 1};
+  const std::vector<int> places = tunnel_nodes(tunnels);
+  double walk_m = kWalkM;  // each walk goes through a whole tunnel at least
+  for (const TunnelEdge& edge : tunnels.edges) walk_m = std::max(walk_m, edge.length_m);
+  const std::array<int, 3> starts{places.front(), places[places.size() / 2], places.back()};
   std::vector<TrueRun> runs;
   for (int i = 0; i < 10; ++i) {
-    const auto path = test::tour(tunnels, starts[static_cast<std::size_t>(i % 3)], 2.0 * kWalkM,
+    const auto path = test::tour(tunnels, starts[static_cast<std::size_t>(i % 3)], 2.0 * walk_m,
                                  static_cast<std::size_t>(i / 3));
     runs.push_back(walk(fmt::format("{}.{}", seed, i + 1), world, path, 100 * seed + i, i / 3));
   }

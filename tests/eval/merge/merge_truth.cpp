@@ -11,6 +11,11 @@
 #include "tools/merge/merge_input.hpp"
 
 namespace adit {
+namespace {
+
+constexpr std::int64_t kStandsUs = 100'000;
+
+}  // namespace
 
 TrueRun open_true_run(const std::filesystem::path& folder, std::int64_t ahead_us) {
   MergeInput input = open_run(folder, {}, {}, [](const std::string&, double) {});
@@ -19,6 +24,11 @@ TrueRun open_true_run(const std::filesystem::path& folder, std::int64_t ahead_us
   TrueRun run{folder.filename().string(), std::make_unique<Mapping>(params),
               read_ground_truth(folder / "run.lcmlog")};
   for (TimedPose& pose : run.truth) pose.utime -= ahead_us;
+  if (!run.truth.empty()) {  // the first scan comes before the first TRUTH, and the robot stands
+    TimedPose start = run.truth.front();
+    start.utime -= kStandsUs;
+    run.truth.insert(run.truth.begin(), start);
+  }
   run.map->restore(std::move(input.map));
   return run;
 }

@@ -203,11 +203,14 @@ class Mapping : private Evidence {
   [[nodiscard]] std::vector<LoopClosure> relocalise() const;
   [[nodiscard]] std::vector<LoopClosureAlternative> found_anywhere(
       const LocalWalls& newer, int older, const std::vector<Pose2>& poses) const;
-  [[nodiscard]] std::vector<LoopClosure> find_run(const Mapping& run, const RunJoinParams& params,
-                                                  RunJoin& join) const;
+  [[nodiscard]] std::vector<PossibleJoin> find_run(const Mapping& run, const RunJoinParams& params,
+                                                   RunJoin& join) const;
+  [[nodiscard]] RunJoin place_run(const Mapping& run, const PossibleJoin& possible,
+                                  const RunJoinParams& params, RunJoin join);
   void append_run(const Mapping& run, RunJoin& join);
   void link_run(std::vector<LoopClosure> agreeing, int first);
   void compare_walls_of_run(int first, RunJoin& join) const;
+  [[nodiscard]] double own_walls_apart_m() const;
   void judge_run(const RunJoinParams& params, RunJoin& join) const;
   [[nodiscard]] Eigen::Matrix3d deformation(int map) const;
   void add_deformations(std::vector<LoopClosure>& loop_closures) const;

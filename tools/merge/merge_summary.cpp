@@ -20,11 +20,13 @@ Json evidence_json(const RunJoin& join) {
           {"possible_poses", join.found},
           {"agreeing", join.agreeing},
           {"places", join.places},
-          {"rival_places", join.rival_places},
+          {"other_alignments", join.rivals},
           {"links", join.links.size()},
           {"rejected_links", join.rejected},
           {"walls_compared_m", join.observed_m},
-          {"contradicting_share", join.contradicting_share()}};
+          {"contradicting_share", join.contradicting_share()},
+          {"walls_apart_m", join.walls_apart_m},
+          {"walls_apart_within_m", join.own_apart_m}};
 }
 
 /// The run of a local map of a group, and its number there.

@@ -4,7 +4,9 @@
 // Mapping::join: a finished map of another run becomes sessions of this one.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -24,7 +26,8 @@ constexpr double kFixedSdM = 0.1;
 // multiple of the necessary places that suffices.
 constexpr int kSearchedAtOnce = 4;
 constexpr int kPlacesEnough = 2;
-constexpr double kOverlapToleranceM = 0.5;  // for the comparison of walls at the final poses
+constexpr double kOverlapToleranceM = 0.5;   // for the comparison of walls at the final poses
+constexpr std::size_t kOwnComparisons = 50;  // local maps whose walls are compared within a map
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -73,6 +76,34 @@ std::vector<int> spread(const std::vector<Pose2>& poses, const LocalMapStore& ma
   }
 }
 
+/// Third quartile of the absolute deviations from the median; 0 without values.
+double deviation(std::vector<float> values) {
+  if (values.empty()) return 0.0;
+  const auto quantile = [&](double share) {
+    const auto i = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, values.begin() + i);
+    return values[static_cast<std::size_t>(i)];
+  };
+  const float median = quantile(0.5);
+  for (float& value : values) value = std::abs(value - median);
+  return static_cast<double>(quantile(0.75));
+}
+
+/// Of the alignments that were tried: the first where the run can be joined, if the walls agree at
+/// no other one; otherwise the best, which then is not joined.
+std::size_t choose(std::vector<RunJoin>& tried) {
+  const auto joined = std::ranges::find_if(tried, &RunJoin::joined);
+  if (joined == tried.end()) return 0;
+  const auto other = std::ranges::find_if(
+      tried, [&](const RunJoin& join) { return join.walls_agree && &join != &*joined; });
+  if (other != tried.end()) {
+    joined->joined = false;
+    joined->reason = fmt::format("the run fits at two places, by {} places and by {}",
+                                 joined->places, other->places);
+  }
+  return static_cast<std::size_t>(joined - tried.begin());
+}
+
 std::string too_few_text(int places, int needed) {
   return fmt::format("the links agree at {} place{}, {} are needed", places, places == 1 ? "" : "s",
                      needed);
@@ -88,19 +119,30 @@ RunJoin Mapping::join(const Mapping& run, const RunJoinParams& params) {
     join.reason = "no local map";
     return join;
   }
-  const std::vector<LoopClosure> agreeing = find_run(run, params, join);
-  if (agreeing.empty()) return join;
+  const std::vector<PossibleJoin> possible = find_run(run, params, join);
+  if (possible.empty()) return join;
+  join.own_apart_m = std::max(own_walls_apart_m(), run.own_walls_apart_m());
   const LazyAssociation::Checkpoint before = association_.checkpoint();
   const std::size_t lost_before = lost_.size();
-  append_run(run, join);
-  link_run(agreeing, first);
-  compare_walls_of_run(first, join);
-  judge_run(params, join);
-  if (!join.joined) {
+  const auto remove_run = [&] {
     association_.roll_back(before);
     while (static_cast<int>(maps_.size()) > first) remove_newest_map();
     lost_.resize(lost_before);
     update_heights();
+  };
+  std::vector<RunJoin> tried;
+  for (const PossibleJoin& there : possible) {
+    if (!tried.empty()) remove_run();
+    tried.push_back(place_run(run, there, params, join));
+  }
+  const std::size_t chosen = choose(tried);
+  if (chosen + 1 < tried.size() && tried[chosen].joined) {
+    remove_run();
+    tried[chosen] = place_run(run, possible[chosen], params, join);
+  }
+  join = std::move(tried[chosen]);
+  if (!join.joined) {
+    remove_run();
     return join;
   }
   builder_ =
@@ -115,17 +157,28 @@ RunJoin Mapping::join(const Mapping& run, const RunJoinParams& params) {
   return join;
 }
 
-/// Relocalises local maps of the run in this map, anywhere, until enough places agree. Returns the
-/// loop closures that agree, their newer maps by the ids of the run; none if the run cannot be
-/// joined, and the reason in `join`.
-std::vector<LoopClosure> Mapping::find_run(const Mapping& run, const RunJoinParams& params,
-                                           RunJoin& join) const {
+/// Places the run at one of the alignments, as if it lay there.
+RunJoin Mapping::place_run(const Mapping& run, const PossibleJoin& possible,
+                           const RunJoinParams& params, RunJoin join) {
+  join.agreeing = static_cast<int>(possible.alignment.agreeing.size());
+  join.places = possible.alignment.places;
+  join.T_map_run = possible.alignment.T_map_run;
+  append_run(run, join);
+  link_run(possible.agreeing, join.first_map);
+  compare_walls_of_run(join.first_map, join);
+  judge_run(params, join);
+  return join;
+}
+
+/// Relocalises local maps of the run in this map, anywhere, until enough places agree. Returns
+/// where it may lie, best first; nothing if the run cannot be joined, and the reason in `join`.
+std::vector<PossibleJoin> Mapping::find_run(const Mapping& run, const RunJoinParams& params,
+                                            RunJoin& join) const {
   const std::vector<Pose2>& map_poses = association_.hypothesis().T_map_local;
   const std::vector<Pose2>& run_poses = run.association_.hypothesis().T_map_local;
   const std::vector<int> older_maps = spread(map_poses, maps_, params.apart_m);
   std::vector<RunLink> links;
   std::vector<LoopClosure> found;
-  RunAlignment alignment;
   int searched = 0;
   for (const int newer : spread(run_poses, run.maps_, params.apart_m)) {
     const LocalWalls& walls = *run.walls_[at(newer)];
@@ -140,31 +193,28 @@ std::vector<LoopClosure> Mapping::find_run(const Mapping& run, const RunJoinPara
       }
     }
     if (++searched % kSearchedAtOnce != 0) continue;
-    alignment = align_run(links, map_poses, run_poses, params.alignment);
-    if (alignment.places >= kPlacesEnough * params.alignment.places_min) break;
+    const auto so_far = align_run(links, map_poses, run_poses, params.alignment);
+    if (!so_far.empty() && so_far.front().places >= kPlacesEnough * params.alignment.places_min)
+      break;
   }
-  alignment = align_run(links, map_poses, run_poses, params.alignment);
+  const auto alignments = align_run(links, map_poses, run_poses, params.alignment);
   join.found = static_cast<int>(links.size());
-  join.agreeing = static_cast<int>(alignment.agreeing.size());
-  join.places = alignment.places;
-  join.rival_places = alignment.rival_places;
-  join.T_map_run = alignment.T_map_run;
-  if (alignment.places < params.alignment.places_min) {
-    join.reason = too_few_text(alignment.places, params.alignment.places_min);
+  join.places = alignments.empty() ? 0 : alignments.front().places;
+  join.rivals = std::max(0, static_cast<int>(alignments.size()) - 1);
+  if (join.places < params.alignment.places_min) {
+    join.reason = too_few_text(join.places, params.alignment.places_min);
     return {};
   }
-  if (alignment.rival_places > params.alignment.rival_share * alignment.places) {
-    join.reason = fmt::format("the run fits at two places, by {} places and by {}",
-                              alignment.places, alignment.rival_places);
-    return {};
+  std::vector<PossibleJoin> possible;
+  for (const RunAlignment& alignment : alignments) {
+    PossibleJoin& there = possible.emplace_back(PossibleJoin{alignment, {}});
+    std::set<std::array<int, 2>> pairs;  // of which the most likely pose comes first
+    for (const std::size_t k : alignment.agreeing) {
+      if (pairs.insert({links[k].older, links[k].newer}).second) there.agreeing.push_back(found[k]);
+    }
+    std::ranges::stable_sort(there.agreeing, {}, &LoopClosure::newer_map);
   }
-  std::vector<LoopClosure> agreeing;
-  std::set<std::array<int, 2>> pairs;  // of which the most likely pose comes first
-  for (const std::size_t k : alignment.agreeing) {
-    if (pairs.insert({links[k].older, links[k].newer}).second) agreeing.push_back(found[k]);
-  }
-  std::ranges::stable_sort(agreeing, {}, &LoopClosure::newer_map);
-  return agreeing;
+  return possible;
 }
 
 /// Appends the local maps of the run, its own walls and decisions, as sessions that begin at an
@@ -251,6 +301,7 @@ void Mapping::link_run(std::vector<LoopClosure> agreeing, int first) {
 /// Compares the walls of the run, at the poses of the joined map, with those of the other runs that
 /// they overlap.
 void Mapping::compare_walls_of_run(int first, RunJoin& join) const {
+  std::vector<float> before_m;
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   for (int map = first; map < static_cast<int>(maps_.size()); ++map) {
     if (maps_[at(map)].scans.empty()) continue;
@@ -267,8 +318,33 @@ void Mapping::compare_walls_of_run(int first, RunJoin& join) const {
           *walls_[at(map)], walls_around(candidate.older, poses), T_older_newer, params_.matching);
       join.observed_m += compared.observed_m;
       join.contradicting_m += compared.contradicting_m;
+      before_m.insert(before_m.end(), compared.before_m.begin(), compared.before_m.end());
     }
   }
+  join.walls_apart_m = deviation(std::move(before_m));
+}
+
+/// Distance between walls of this map where its local maps overlap.
+double Mapping::own_walls_apart_m() const {
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
+  std::vector<float> before_m;
+  const std::size_t step = std::max<std::size_t>(1, maps_.size() / kOwnComparisons);
+  for (std::size_t map = 0; map < maps_.size(); map += step) {
+    if (maps_[map].scans.empty()) continue;
+    const std::span<const Pose2> until = std::span(poses).first(map + 1);
+    LoopClosureCandidatesParams params = params_.candidates;
+    params.neighbours = 0;
+    for (const LoopClosureCandidate& candidate : loop_closure_candidates(
+             until, within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero()),
+             std::span(extents_).first(map + 1), params)) {
+      std::vector<PlacedWalls> older(1);
+      older.front().walls = std::make_shared<const LocalWalls>(*walls_[at(candidate.older)]);
+      const WallComparison compared =
+          compare_walls(*walls_[map], older, candidate.predicted.T_older_newer, params_.matching);
+      before_m.insert(before_m.end(), compared.before_m.begin(), compared.before_m.end());
+    }
+  }
+  return deviation(std::move(before_m));
 }
 
 /// Counts the links in force, and decides whether the run stays.
@@ -286,19 +362,29 @@ void Mapping::judge_run(const RunJoinParams& params, RunJoin& join) const {
       continue;
     }
     const LoopClosureAlternative& a = loop_closure.alternatives[at(hypothesis.chosen[k])];
-    join.links.push_back({a.older_map, loop_closure.newer_map, a.T_older_newer, a.log_likelihood});
+    join.links.push_back(
+        {a.older_map, loop_closure.newer_map, a.T_older_newer, a.log_likelihood, a.information});
     const auto direction = least_certain_direction(a.information);
     if (!direction || a.log_likelihood < kRelocalisedLogLikelihood) continue;
     evidence.push_back(hypothesis.T_map_local[at(loop_closure.newer_map)] *
                        middle_of_walls_facing(*walls_[at(loop_closure.newer_map)], *direction));
   }
   join.places = distinct_places(evidence, params.alignment.place_m);
+  const double apart_max_m =
+      params.walls_apart_ratio * join.own_apart_m + params.walls_apart_added_m;
+  join.walls_agree =
+      join.contradicting_share() <= params.contradicting_max && join.walls_apart_m <= apart_max_m;
   if (join.places < params.alignment.places_min) {
     join.reason = too_few_text(join.places, params.alignment.places_min);
   } else if (join.contradicting_share() > params.contradicting_max) {
     join.reason =
         fmt::format("{:.0f} % of the walls that both observed lie in free space of the other",
                     100.0 * join.contradicting_share());
+  } else if (!join.walls_agree) {
+    join.reason = fmt::format(
+        "walls that both observed are {:.0f} mm apart, by what each run shows of its own {:.0f} "
+        "are allowed",
+        1e3 * join.walls_apart_m, 1e3 * apart_max_m);
   } else {
     join.joined = true;
     join.reason = fmt::format("{} links at {} places agree", join.links.size(), join.places);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kElsewhereM = 2.0;
 constexpr double kElsewhereRad = 0.3;
+constexpr std::size_t kAlignmentsMax = 8;
 
 /// The links with the poses of both maps.
 class Alignment {
@@ -35,16 +36,17 @@ class Alignment {
           [&](double sum, std::size_t k) { return sum + links_[k].log_likelihood; });
       if (places < best.places || (places == best.places && likelihood <= best_likelihood))
         continue;
-      best = {T_map_run_[leader], agreeing, places, 0};
+      best = {T_map_run_[leader], agreeing, places};
       best_likelihood = likelihood;
     }
     return best;
   }
 
-  /// The links that put the run elsewhere than this alignment, where they are.
-  [[nodiscard]] std::vector<std::size_t> elsewhere(const RunAlignment& alignment) const {
+  /// Those of the links that put the run elsewhere than this alignment, where they are.
+  [[nodiscard]] std::vector<std::size_t> elsewhere(const std::vector<std::size_t>& links,
+                                                   const RunAlignment& alignment) const {
     std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < links_.size(); ++k) {
+    for (const std::size_t k : links) {
       const Pose2& at = run_pose(links_[k]);
       const Pose2 apart = between(alignment.T_map_run * at, T_map_run_[k] * at);
       const double drift_m = params_.position_per_m * at.translation().norm();
@@ -106,14 +108,22 @@ int distinct_places(const std::vector<Eigen::Vector2d>& points, double place_m) 
   return static_cast<int>(places.size());
 }
 
-RunAlignment align_run(const std::vector<RunLink>& links, const std::vector<Pose2>& map_poses,
-                       const std::vector<Pose2>& run_poses, const RunAlignmentParams& params) {
+std::vector<RunAlignment> align_run(const std::vector<RunLink>& links,
+                                    const std::vector<Pose2>& map_poses,
+                                    const std::vector<Pose2>& run_poses,
+                                    const RunAlignmentParams& params) {
   const Alignment alignment(links, map_poses, run_poses, params);
-  std::vector<std::size_t> all(links.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  RunAlignment best = alignment.best(all);
-  best.rival_places = alignment.best(alignment.elsewhere(best)).places;
-  return best;
+  std::vector<std::size_t> leaders(links.size());
+  std::iota(leaders.begin(), leaders.end(), std::size_t{0});
+  std::vector<RunAlignment> found;
+  while (found.size() < kAlignmentsMax) {
+    RunAlignment next = alignment.best(leaders);
+    const int places_min = found.empty() ? 0 : found.front().places;
+    if (next.places == 0 || next.places <= params.rival_share * places_min) break;
+    leaders = alignment.elsewhere(leaders, next);
+    found.push_back(std::move(next));
+  }
+  return found;
 }
 
 }  // namespace adit

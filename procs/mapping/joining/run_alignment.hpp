@@ -31,8 +31,7 @@ struct RunAlignmentParams {
   double position_per_m = 0.03;  ///< its growth with their distance along the run,
   double angle_rad = 0.06;       ///< and of the angle
   double angle_per_m = 0.001;
-  /// Share of the places of the best alignment that another one may have at most; above, the run
-  /// fits at two places.
+  /// Share of the places of the best alignment above which another one is tried, too.
   double rival_share = 0.5;
 
   template <class V>
@@ -52,18 +51,20 @@ struct RunAlignment {
   Pose2 T_map_run;
   std::vector<std::size_t> agreeing;  ///< links, by index
   int places = 0;                     ///< of their evidence
-  int rival_places = 0;               ///< of the best alignment somewhere else
 };
 
 /// The number of places of which any two are at least `place_m` apart, chosen in the order of the
 /// points.
 int distinct_places(const std::vector<Eigen::Vector2d>& points, double place_m);
 
-/// Finds the alignment with which most places agree (the largest set of links that are consistent
-/// with one of them, along both maps as they are bent now) and the best other one: one that puts
-/// the run elsewhere. Without links, the alignment has none.
+/// Finds where the run may lie: the alignment with which most places agree (the largest set of
+/// links that are consistent with one of them, along both maps as they are bent now), and the best
+/// ones that put the run elsewhere than all before, as long as they have more than `rival_share` of
+/// its places. Empty without links.
 ///   map_poses: T_map_local of the map, run_poses: T_run_local of the run
-RunAlignment align_run(const std::vector<RunLink>& links, const std::vector<Pose2>& map_poses,
-                       const std::vector<Pose2>& run_poses, const RunAlignmentParams& params);
+std::vector<RunAlignment> align_run(const std::vector<RunLink>& links,
+                                    const std::vector<Pose2>& map_poses,
+                                    const std::vector<Pose2>& run_poses,
+                                    const RunAlignmentParams& params);
 
 }  // namespace adit

@@ -123,8 +123,14 @@ class MapMatcher {
   [[nodiscard]] WallComparison comparison(const Pose2& T) const {
     if (newer_points_.empty() || older_.empty()) return {};
     const auto [there, back] = agreements(T);
-    return {newer_step_m_ * there.observed() + older_step_m_ * back.observed(),
-            newer_step_m_ * there.contradicting + older_step_m_ * back.contradicting};
+    const double reach_m = params_.agreement.wall_distance_max_m;
+    WallComparison compared{
+        newer_step_m_ * there.observed() + older_step_m_ * back.observed(),
+        newer_step_m_ * there.contradicting + older_step_m_ * back.contradicting,
+        distances_before_walls(newer_points_, T, older_, reach_m)};
+    for (const float behind_m : distances_before_walls(older_points_, T.inverse(), newer_, reach_m))
+      compared.before_m.push_back(-behind_m);
+    return compared;
   }
 
  private:

@@ -75,13 +75,14 @@ SameScore score_same(std::vector<TrueRun> runs, bool verbose) {
   const MergedRuns merged(std::move(runs));
   const RunGroup& group = merged.groups().groups().front();
   if (verbose) {
-    std::cout << "| run | local maps | links | places | rejected | largest error of a link (m) | "
-                 "walls that contradict (%) | RMSE alone (m) | RMSE in the map (m) |\n"
-                 "|---|---|---|---|---|---|---|---|---|\n";
+    std::cout
+        << "| run | local maps | links | places | rejected | largest error of a link (m) | "
+           "walls that contradict (%) | walls apart (m) | RMSE alone (m) | RMSE in the map (m) |\n"
+           "|---|---|---|---|---|---|---|---|---|---|\n";
   }
   for (const PlacedRun& run : group.runs) {
     score.best_alone_m = std::min(score.best_alone_m, alone_m[run.run]);
-    std::string evidence = " | | | | |";
+    std::string evidence = " | | | | | |";
     if (run.join) {
       const std::vector<double> errors = merged.link_errors_m(group, *run.join);
       score.wrong += static_cast<std::size_t>(
@@ -89,9 +90,9 @@ SameScore score_same(std::vector<TrueRun> runs, bool verbose) {
       score.links += errors.size();
       score.largest_error_m = std::max(score.largest_error_m, std::ranges::max(errors));
       score.contradicting = std::max(score.contradicting, run.join->contradicting_share());
-      evidence = fmt::format(" {} | {} | {} | {:.3f} | {:.1f} |", errors.size(), run.join->places,
-                             run.join->rejected, std::ranges::max(errors),
-                             100.0 * run.join->contradicting_share());
+      evidence = fmt::format(" {} | {} | {} | {:.3f} | {:.1f} | {:.3f} |", errors.size(),
+                             run.join->places, run.join->rejected, std::ranges::max(errors),
+                             100.0 * run.join->contradicting_share(), run.join->walls_apart_m);
     }
     if (verbose) {
       std::cout << fmt::format("| {} | {} |{} {:.3f} | {:.3f} |\n", merged.name(run.run), run.maps,
@@ -147,17 +148,18 @@ int print_pair(TrueRun a, TrueRun b) {
   const bool joined = pair.groups().groups().size() == 1;
   const RunJoin& join = joined ? *pair.groups().groups().front().runs.back().join
                                : pair.groups().rejected().front().join;
-  std::cout << fmt::format("| {}, {} | {} | {} | {} | {} of {} | {:.0f} | {} |\n", pair.name(0),
-                           pair.name(1), joined ? "**yes**" : "no", join.places, join.rival_places,
-                           join.found, join.searched, pair.cpu_s(), join.reason)
+  std::cout << fmt::format("| {}, {} | {} | {} | {} | {:.3f} | {} of {} | {:.0f} | {} |\n",
+                           pair.name(0), pair.name(1), joined ? "**yes**" : "no", join.places,
+                           join.rivals, join.walls_apart_m, join.found, join.searched, pair.cpu_s(),
+                           join.reason)
             << std::flush;
   return joined ? 1 : 0;
 }
 
 template <class MakeA, class MakeB>
 bool print_pairs(int first, int count, const MakeA& make_a, const MakeB& make_b) {
-  std::cout << "\n| mines | joined | places | other places | poses found, of pairs of local maps | "
-               "CPU (s) | because |\n|---|---|---|---|---|---|---|\n";
+  std::cout << "\n| mines | joined | places | other alignments | walls apart (m) | poses found, of "
+               "pairs of local maps | CPU (s) | because |\n|---|---|---|---|---|---|---|---|\n";
   int wrong = 0;
   for (int seed = first; seed < first + count; ++seed)
     wrong += print_pair(make_a(seed), make_b(seed));

@@ -3,10 +3,12 @@
 #include "tests/eval/merge/merge_truth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 #include <utility>
 
+#include "common/geometry/symmetric_eigen.hpp"
 #include "tools/eval/trajectory_score.hpp"
 #include "tools/merge/merge_input.hpp"
 
@@ -14,6 +16,7 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kStandsUs = 100'000;
+constexpr double kFixedSdM = 0.1;
 
 }  // namespace
 
@@ -66,7 +69,15 @@ std::vector<double> MergedRuns::link_errors_m(const RunGroup& group, const RunJo
   std::vector<double> errors;
   for (const JoinLink& link : join.links) {
     const Pose2 truth = between(true_pose(group, link.older), true_pose(group, link.newer));
-    errors.push_back((truth.translation() - link.T_older_newer.translation()).norm());
+    const Eigen::Vector2d error = between(truth, link.T_older_newer).translation();
+    const SymmetricEigen<2> axes =
+        symmetric_eigen(Eigen::Matrix2d(link.information.topLeftCorner<2, 2>()));
+    double squared = 0.0;
+    for (int i = 0; i < 2; ++i) {
+      if (axes.values[i] > 1.0 / (kFixedSdM * kFixedSdM))
+        squared += std::pow(axes.vectors.col(i).dot(error), 2);
+    }
+    errors.push_back(std::sqrt(squared));
   }
   return errors;
 }

@@ -40,7 +40,8 @@ class MergedRuns {
   /// The places of the local maps of a group, and of one of its runs, with the true ones.
   [[nodiscard]] std::vector<PosePair> places(const RunGroup& group) const;
   [[nodiscard]] std::vector<PosePair> places(const RunGroup& group, const PlacedRun& run) const;
-  /// The errors of the links of a join against the true poses, in plan [m].
+  /// The errors of the links of a join against the true poses, in plan and along the directions
+  /// that they fix to 0.1 m [m].
   [[nodiscard]] std::vector<double> link_errors_m(const RunGroup& group, const RunJoin& join) const;
 
  private:

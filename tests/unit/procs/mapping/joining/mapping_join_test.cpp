@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/world/build_world.hpp"
+#include "sim/world/random/random_mine.hpp"
 #include "tests/support/drives/walked_map.hpp"
 
 namespace adit {
@@ -68,6 +70,38 @@ TEST(MappingJoin, LeavesTheMapAsItWasIfTheRunWasElsewhere) {
   EXPECT_NE(join.reason, "");
   EXPECT_EQ(map.map->graph().poses, before.poses);
   EXPECT_EQ(map.map->graph().constraints.size(), before.constraints.size());
+}
+
+/// A mine with branches, and walls that are rough by some centimetres, by their seed.
+test::WalkedMap walk_branches(int walls, int robot) {
+  RandomMineParams params;
+  params.topology = "branching";
+  params.damage = 0.0;
+  params.level = true;
+  WorldDescription mine = random_mine(22, params);
+  mine.seed = walls;
+  mine.heights.profile_m = {};
+  mine.heights.rolls.height_m = 0.0;
+  mine.props = {};
+  const World world = build_world(mine);
+  return test::walked_map(test::WallWorld(world, 0.6), test::tour(world.truth.tunnels, 0, 400.0),
+                          {.seed = static_cast<std::uint64_t>(2200 + robot),
+                           .lasers = test::lasers_at_ends(robot == 1 ? 0.7 : 1.05)});
+}
+
+/// The plans are equal, the roughness of the walls is not.
+TEST(MappingJoin, DoesNotJoinARunOfAnotherMineWithTheSamePlan) {
+  const test::WalkedMap map = walk_branches(22, 1);
+  const test::WalkedMap same = walk_branches(22, 2);
+  const test::WalkedMap other = walk_branches(1022, 50);
+  const RunJoin wrong = map.map->join(*other.map);
+  EXPECT_FALSE(wrong.joined);
+  EXPECT_GE(wrong.places, 3);
+  EXPECT_FALSE(wrong.walls_agree);
+  EXPECT_GT(wrong.walls_apart_m, 4.0 * wrong.own_apart_m);
+  const RunJoin right = map.map->join(*same.map);
+  EXPECT_TRUE(right.joined) << right.reason;
+  EXPECT_LT(right.walls_apart_m, 1.3 * right.own_apart_m);
 }
 
 /// Through what was rejected alone a third run leads.

@@ -104,6 +104,17 @@ std::size_t choose(std::vector<RunJoin>& tried) {
   return static_cast<std::size_t>(joined - tried.begin());
 }
 
+/// A possible pose of a map of the run on a map of this one, from the reverse.
+LoopClosureAlternative reversed(const LoopClosureAlternative& a, int older) {
+  const Pose2 T_older_newer = a.T_older_newer.inverse();
+  const Eigen::Matrix3d J = adjoint(T_older_newer);
+  LoopClosureAlternative reverse = a;
+  reverse.older_map = older;
+  reverse.T_older_newer = T_older_newer;
+  reverse.information = J.transpose() * a.information * J;
+  return reverse;
+}
+
 std::string too_few_text(int places, int needed) {
   return fmt::format("the links agree at {} place{}, {} are needed", places, places == 1 ? "" : "s",
                      needed);
@@ -170,32 +181,48 @@ RunJoin Mapping::place_run(const Mapping& run, const PossibleJoin& possible,
   return join;
 }
 
-/// Relocalises local maps of the run in this map, anywhere, until enough places agree. Returns
-/// where it may lie, best first; nothing if the run cannot be joined, and the reason in `join`.
+/// Relocalises local maps of the run in this map, anywhere, until enough places agree; if they do
+/// not, those of this map in the run: a map alone is searched in several together. Returns where it
+/// may lie, best first; nothing if the run cannot be joined, and the reason in `join`.
 std::vector<PossibleJoin> Mapping::find_run(const Mapping& run, const RunJoinParams& params,
                                             RunJoin& join) const {
   const std::vector<Pose2>& map_poses = association_.hypothesis().T_map_local;
   const std::vector<Pose2>& run_poses = run.association_.hypothesis().T_map_local;
   const std::vector<int> older_maps = spread(map_poses, maps_, params.apart_m);
+  const std::vector<int> newer_maps = spread(run_poses, run.maps_, params.apart_m);
   std::vector<RunLink> links;
   std::vector<LoopClosure> found;
+  const auto add = [&](int older, int newer, LoopClosureAlternative a) {
+    const auto direction = least_certain_direction(a.information);
+    if (!direction) return;
+    links.push_back({older, newer, a.T_older_newer, a.log_likelihood,
+                     middle_of_walls_facing(*run.walls_[at(newer)], *direction)});
+    found.push_back({0, newer, {std::move(a)}});
+  };
+  const auto places = [&] {
+    const auto so_far = align_run(links, map_poses, run_poses, params.alignment);
+    return so_far.empty() ? 0 : so_far.front().places;
+  };
   int searched = 0;
-  for (const int newer : spread(run_poses, run.maps_, params.apart_m)) {
-    const LocalWalls& walls = *run.walls_[at(newer)];
+  for (const int newer : newer_maps) {
     for (const int older : older_maps) {
       ++join.searched;
-      for (LoopClosureAlternative& a : found_anywhere(walls, older, map_poses)) {
-        const auto direction = least_certain_direction(a.information);
-        if (!direction) continue;
-        links.push_back({older, newer, a.T_older_newer, a.log_likelihood,
-                         middle_of_walls_facing(walls, *direction)});
-        found.push_back({0, newer, {std::move(a)}});
+      for (LoopClosureAlternative& a : found_anywhere(*run.walls_[at(newer)], older, map_poses))
+        add(older, newer, std::move(a));
+    }
+    if (++searched % kSearchedAtOnce == 0 &&
+        places() >= kPlacesEnough * params.alignment.places_min)
+      break;
+  }
+  if (places() < params.alignment.places_min) {
+    for (const int older : older_maps) {
+      for (const int newer : newer_maps) {
+        ++join.searched;
+        for (const LoopClosureAlternative& a :
+             run.found_anywhere(*walls_[at(older)], newer, run_poses))
+          add(older, newer, reversed(a, older));
       }
     }
-    if (++searched % kSearchedAtOnce != 0) continue;
-    const auto so_far = align_run(links, map_poses, run_poses, params.alignment);
-    if (!so_far.empty() && so_far.front().places >= kPlacesEnough * params.alignment.places_min)
-      break;
   }
   const auto alignments = align_run(links, map_poses, run_poses, params.alignment);
   join.found = static_cast<int>(links.size());

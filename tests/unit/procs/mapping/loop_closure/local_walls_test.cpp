@@ -73,6 +73,35 @@ TEST(LocalWalls, IgnoreScansWithoutAMount) {
   EXPECT_TRUE(walls.views.empty());
 }
 
+/// Both walls of a tunnel along x, seen from inside, `half_m` from its axis.
+std::vector<SurfacePoint> tunnel_walls(double half_m) {
+  std::vector<SurfacePoint> points;
+  for (double x = -3.0; x < 3.0; x += 0.1) {
+    for (const double side : {-1.0, 1.0}) {
+      SurfacePoint point;
+      point.p = {x, side * half_m};
+      point.normal = {0.0, -side};
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+TEST(DistancesBeforeWalls, AreThoseTowardsWhereTheWallsWereSeenFrom) {
+  SurfelMap reference(SurfelMapParams{});
+  reference.insert(tunnel_walls(1.5), {}, 0.0);
+  // Narrower by 3 cm on each side, as with a laser whose ranges are too short, and the other one.
+  for (const float before_m : distances_before_walls(tunnel_walls(1.47), {}, reference, 0.5))
+    EXPECT_NEAR(before_m, 0.03, 1e-6);
+  for (const float before_m : distances_before_walls(tunnel_walls(1.52), {}, reference, 0.5))
+    EXPECT_NEAR(before_m, -0.02, 1e-6);
+  const auto aside = distances_before_walls(tunnel_walls(1.5), {0.0, 0.1, 0.0}, reference, 0.5);
+  ASSERT_EQ(aside.size(), 120U);
+  for (std::size_t i = 0; i < aside.size(); ++i)
+    EXPECT_NEAR(aside[i], i % 2 == 0 ? 0.1 : -0.1, 1e-6);
+  EXPECT_TRUE(distances_before_walls(tunnel_walls(0.5), {}, reference, 0.5).empty());
+}
+
 }  // namespace
 namespace {
 

@@ -46,7 +46,10 @@ bool RunGroups::try_join(RunGroup& group, RunGroup& other) {
 
 void RunGroups::finish(const std::function<void(double)>& progress) {
   const auto by_size = [](const RunGroup& a, const RunGroup& b) {
-    return a.runs.size() > b.runs.size();
+    const auto size = [](const RunGroup& group) {
+      return std::pair(group.runs.size(), group.map->local_maps().size());
+    };
+    return size(a) > size(b);
   };
   bool changed = runs_ > 2 && groups_.size() > 1;  // of two runs nothing has grown
   while (changed) {

@@ -43,8 +43,8 @@ class RunGroups {
 
   /// Adds the restored map of a run; it has local maps.
   void add(std::unique_ptr<Mapping> map);
-  /// Tries again what was rejected, as maps have grown. The largest map comes first, then in the
-  /// order of their first runs. `progress` gets the share that is done.
+  /// Tries again what was rejected, as maps have grown. The map of most runs comes first, of most
+  /// local maps among these. `progress` gets the share that is done.
   void finish(const std::function<void(double)>& progress = {});
 
   [[nodiscard]] const std::vector<RunGroup>& groups() const { return groups_; }

@@ -209,6 +209,7 @@ class Mapping : private Evidence {
                                   const RunJoinParams& params, RunJoin join);
   void append_run(const Mapping& run, RunJoin& join);
   void link_run(std::vector<LoopClosure> agreeing, int first);
+  [[nodiscard]] std::vector<LoopClosureCandidate> overlapped(int map, int end) const;
   void compare_walls_of_run(int first, RunJoin& join) const;
   [[nodiscard]] double own_walls_apart_m() const;
   void judge_run(const RunJoinParams& params, RunJoin& join) const;

@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "common/geometry/order_statistics.hpp"
 #include "common/geometry/symmetric_eigen.hpp"
 #include "procs/mapping/mapping.hpp"
 
@@ -77,16 +77,10 @@ std::vector<int> spread(const std::vector<Pose2>& poses, const LocalMapStore& ma
 }
 
 /// Third quartile of the absolute deviations from the median; 0 without values.
-double deviation(std::vector<float> values) {
-  if (values.empty()) return 0.0;
-  const auto quantile = [&](double share) {
-    const auto i = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::ranges::nth_element(values, values.begin() + i);
-    return values[static_cast<std::size_t>(i)];
-  };
-  const float median = quantile(0.5);
-  for (float& value : values) value = std::abs(value - median);
-  return static_cast<double>(quantile(0.75));
+double deviation(std::vector<double> values) {
+  const double median = quantile(values, 0.5);
+  for (double& value : values) value = std::abs(value - median);
+  return quantile(std::move(values), 0.75);
 }
 
 /// Of the alignments that were tried: the first where the run can be joined, if the walls agree at
@@ -199,9 +193,9 @@ std::vector<PossibleJoin> Mapping::find_run(const Mapping& run, const RunJoinPar
                      middle_of_walls_facing(*run.walls_[at(newer)], *direction)});
     found.push_back({0, newer, {std::move(a)}});
   };
-  const auto places = [&] {
-    const auto so_far = align_run(links, map_poses, run_poses, params.alignment);
-    return so_far.empty() ? 0 : so_far.front().places;
+  const auto align = [&] { return align_run(links, map_poses, run_poses, params.alignment); };
+  const auto places_of = [](const std::vector<RunAlignment>& alignments) {
+    return alignments.empty() ? 0 : alignments.front().places;
   };
   int searched = 0;
   for (const int newer : newer_maps) {
@@ -211,10 +205,11 @@ std::vector<PossibleJoin> Mapping::find_run(const Mapping& run, const RunJoinPar
         add(older, newer, std::move(a));
     }
     if (++searched % kSearchedAtOnce == 0 &&
-        places() >= kPlacesEnough * params.alignment.places_min)
+        places_of(align()) >= kPlacesEnough * params.alignment.places_min)
       break;
   }
-  if (places() < params.alignment.places_min) {
+  std::vector<RunAlignment> alignments = align();
+  if (places_of(alignments) < params.alignment.places_min) {
     for (const int older : older_maps) {
       for (const int newer : newer_maps) {
         ++join.searched;
@@ -223,10 +218,10 @@ std::vector<PossibleJoin> Mapping::find_run(const Mapping& run, const RunJoinPar
           add(older, newer, reversed(a, older));
       }
     }
+    alignments = align();
   }
-  const auto alignments = align_run(links, map_poses, run_poses, params.alignment);
   join.found = static_cast<int>(links.size());
-  join.places = alignments.empty() ? 0 : alignments.front().places;
+  join.places = places_of(alignments);
   join.rivals = std::max(0, static_cast<int>(alignments.size()) - 1);
   if (join.places < params.alignment.places_min) {
     join.reason = too_few_text(join.places, params.alignment.places_min);
@@ -325,24 +320,33 @@ void Mapping::link_run(std::vector<LoopClosure> agreeing, int first) {
   update_heights();
 }
 
+/// The local maps before `end` that a map overlaps where it lies now, on its level.
+std::vector<LoopClosureCandidate> Mapping::overlapped(int map, int end) const {
+  if (maps_[at(map)].scans.empty()) return {};
+  const std::span<const Pose2> until =
+      std::span(association_.hypothesis().T_map_local).first(at(map) + 1);
+  std::vector<NearMap> near = within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero());
+  std::erase_if(near, [&](const NearMap& n) { return n.older >= end; });
+  LoopClosureCandidatesParams params = params_.candidates;
+  params.neighbours = map - end;
+  std::vector<LoopClosureCandidate> found =
+      loop_closure_candidates(until, near, std::span(extents_).first(at(map) + 1), params);
+  std::erase_if(found, [&](const LoopClosureCandidate& candidate) {
+    return !heights_.same_level(candidate.older, map, candidate.predicted.T_older_newer, walls_);
+  });
+  return found;
+}
+
 /// Compares the walls of the run, at the poses of the joined map, with those of the other runs that
 /// they overlap.
 void Mapping::compare_walls_of_run(int first, RunJoin& join) const {
-  std::vector<float> before_m;
+  std::vector<double> before_m;
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   for (int map = first; map < static_cast<int>(maps_.size()); ++map) {
-    if (maps_[at(map)].scans.empty()) continue;
-    const std::span<const Pose2> until = std::span(poses).first(at(map) + 1);
-    std::vector<NearMap> near = within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero());
-    std::erase_if(near, [&](const NearMap& n) { return n.older >= first; });
-    LoopClosureCandidatesParams params = params_.candidates;
-    params.neighbours = map - first;
-    for (const LoopClosureCandidate& candidate :
-         loop_closure_candidates(until, near, std::span(extents_).first(at(map) + 1), params)) {
-      const Pose2& T_older_newer = candidate.predicted.T_older_newer;
-      if (!heights_.same_level(candidate.older, map, T_older_newer, walls_)) continue;
-      const WallComparison compared = compare_walls(
-          *walls_[at(map)], walls_around(candidate.older, poses), T_older_newer, params_.matching);
+    for (const LoopClosureCandidate& candidate : overlapped(map, first)) {
+      const WallComparison compared =
+          compare_walls(*walls_[at(map)], walls_around(candidate.older, poses),
+                        candidate.predicted.T_older_newer, params_.matching);
       join.observed_m += compared.observed_m;
       join.contradicting_m += compared.contradicting_m;
       before_m.insert(before_m.end(), compared.before_m.begin(), compared.before_m.end());
@@ -353,21 +357,15 @@ void Mapping::compare_walls_of_run(int first, RunJoin& join) const {
 
 /// Distance between walls of this map where its local maps overlap.
 double Mapping::own_walls_apart_m() const {
-  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  std::vector<float> before_m;
+  std::vector<double> before_m;
   const std::size_t step = std::max<std::size_t>(1, maps_.size() / kOwnComparisons);
-  for (std::size_t map = 0; map < maps_.size(); map += step) {
-    if (maps_[map].scans.empty()) continue;
-    const std::span<const Pose2> until = std::span(poses).first(map + 1);
-    LoopClosureCandidatesParams params = params_.candidates;
-    params.neighbours = 0;
-    for (const LoopClosureCandidate& candidate : loop_closure_candidates(
-             until, within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero()),
-             std::span(extents_).first(map + 1), params)) {
+  for (std::size_t i = 0; i < maps_.size(); i += step) {
+    const int map = static_cast<int>(i);
+    for (const LoopClosureCandidate& candidate : overlapped(map, map)) {
       std::vector<PlacedWalls> older(1);
-      older.front().walls = std::make_shared<const LocalWalls>(*walls_[at(candidate.older)]);
+      older.front().walls = walls_[at(candidate.older)];
       const WallComparison compared =
-          compare_walls(*walls_[map], older, candidate.predicted.T_older_newer, params_.matching);
+          compare_walls(*walls_[i], older, candidate.predicted.T_older_newer, params_.matching);
       before_m.insert(before_m.end(), compared.before_m.begin(), compared.before_m.end());
     }
   }

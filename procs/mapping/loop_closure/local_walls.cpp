@@ -170,16 +170,16 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
   return result;
 }
 
-std::vector<float> distances_before_walls(const std::vector<SurfacePoint>& points,
-                                          const Pose2& T_reference_points,
-                                          const SurfelMap& reference, double distance_max_m) {
+std::vector<double> distances_before_walls(const std::vector<SurfacePoint>& points,
+                                           const Pose2& T_reference_points,
+                                           const SurfelMap& reference, double distance_max_m) {
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(T_reference_points.theta).toRotationMatrix();
-  std::vector<float> distances;
+  std::vector<double> distances;
   for (const SurfacePoint& point : points) {
     const Eigen::Vector2d p = R * point.p + T_reference_points.translation();
     const Surfel* wall = reference.nearest(p, R * point.normal, distance_max_m).surfel;
     if (wall == nullptr || !wall->has_normal()) continue;
-    distances.push_back(static_cast<float>(wall->normal.dot(p - wall->p)));
+    distances.push_back(wall->normal.dot(p - wall->p));
   }
   return distances;
 }

@@ -121,8 +121,8 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
 
 /// Of each point, at `T_reference_points`, that has a wall of the reference in reach and a normal:
 /// by how much it is before this wall, towards where it was seen from [m].
-std::vector<float> distances_before_walls(const std::vector<SurfacePoint>& points,
-                                          const Pose2& T_reference_points,
-                                          const SurfelMap& reference, double distance_max_m);
+std::vector<double> distances_before_walls(const std::vector<SurfacePoint>& points,
+                                           const Pose2& T_reference_points,
+                                           const SurfelMap& reference, double distance_max_m);
 
 }  // namespace adit

@@ -128,7 +128,8 @@ class MapMatcher {
         newer_step_m_ * there.observed() + older_step_m_ * back.observed(),
         newer_step_m_ * there.contradicting + older_step_m_ * back.contradicting,
         distances_before_walls(newer_points_, T, older_, reach_m)};
-    for (const float behind_m : distances_before_walls(older_points_, T.inverse(), newer_, reach_m))
+    for (const double behind_m :
+         distances_before_walls(older_points_, T.inverse(), newer_, reach_m))
       compared.before_m.push_back(-behind_m);
     return compared;
   }

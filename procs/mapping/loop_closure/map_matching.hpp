@@ -115,7 +115,7 @@ struct WallComparison {
   double contradicting_m = 0.0;  ///< of these, in free space
   /// By how much the walls of the newer map are before those of the older one, at each point of
   /// either [m].
-  std::vector<float> before_m;
+  std::vector<double> before_m;
 };
 
 /// Compares the walls of two maps at a pose, each with what the other observed.

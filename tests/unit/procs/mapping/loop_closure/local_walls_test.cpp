@@ -91,9 +91,9 @@ TEST(DistancesBeforeWalls, AreThoseTowardsWhereTheWallsWereSeenFrom) {
   SurfelMap reference(SurfelMapParams{});
   reference.insert(tunnel_walls(1.5), {}, 0.0);
   // Narrower by 3 cm on each side, as with a laser whose ranges are too short, and the other one.
-  for (const float before_m : distances_before_walls(tunnel_walls(1.47), {}, reference, 0.5))
+  for (const double before_m : distances_before_walls(tunnel_walls(1.47), {}, reference, 0.5))
     EXPECT_NEAR(before_m, 0.03, 1e-6);
-  for (const float before_m : distances_before_walls(tunnel_walls(1.52), {}, reference, 0.5))
+  for (const double before_m : distances_before_walls(tunnel_walls(1.52), {}, reference, 0.5))
     EXPECT_NEAR(before_m, -0.02, 1e-6);
   const auto aside = distances_before_walls(tunnel_walls(1.5), {0.0, 0.1, 0.0}, reference, 0.5);
   ASSERT_EQ(aside.size(), 120U);

@@ -75,6 +75,7 @@ void Exploration::refresh_space() {
 
 /// Recomputes everything that is derived from the known space.
 void Exploration::refresh() {
+  is_outside_ = false;
   refresh_space();
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
   for (DetectedFrontier& detected : detected_frontiers_) {
@@ -121,6 +122,7 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
     stay.reason = "there is no map yet";
     return stay;
   }
+  set_outside(false);
   if (!path_length_home_m(state)) drop_passed_barriers(state);
   const std::optional<double> home_m = path_length_home_m(state);
   if (!home_m) {

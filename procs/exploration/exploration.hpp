@@ -41,7 +41,10 @@ struct ExplorationParams {
   double step_m = 10.0;          ///< largest path length from the robot to the next goal
   double at_home_m = 0.3;        ///< distance to the start in map that counts as home
   bool exit_behind_start = true;  ///< open air that is observed behind the start is the exit
-  bool patrol = false;            ///< when no frontier is left, patrol instead of returning home
+  /// The robot is put down at the portal, facing in: what lies behind the start is the exit, seen
+  /// or not. A robot that is blind behind would drive out before it sees it.
+  bool starts_at_portal = false;
+  bool patrol = false;  ///< when no frontier is left, patrol instead of returning home
 
   template <class V>
   void visit(V& v) {
@@ -57,6 +60,7 @@ struct ExplorationParams {
     v("step_m", step_m, within(1.0, 100.0));
     v("at_home_m", at_home_m, within(0.1, 10.0));
     v("exit_behind_start", exit_behind_start);
+    v("starts_at_portal", starts_at_portal);
     v("patrol", patrol);
   }
 };
@@ -146,6 +150,7 @@ class Exploration {
   bool retry_abandoned(std::int64_t utime);
   bool verify_walls();
   [[nodiscard]] std::optional<double> path_length_home_m(const ExplorationState& state) const;
+  void set_outside(bool is_outside);
   void drop_passed_barriers(const ExplorationState& state);
   [[nodiscard]] std::vector<BarrierLine> barrier_lines() const;
   [[nodiscard]] std::vector<FrontierRegister::BarrierEvidence> barrier_evidence() const;
@@ -200,6 +205,7 @@ class Exploration {
   bool returning_ = false;              ///< permanently; in the mode corridor
   /// Every frontier was closed once: from then on walls that may be ground close none.
   bool verify_walls_ = false;
+  bool is_outside_ = false;  ///< the robot has passed the exit: routes lead through it
   Patrol patrol_;
   std::optional<PatrolPlace> patrol_target_;  ///< of the last decision, if that is on patrol
 };

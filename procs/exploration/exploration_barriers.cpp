@@ -46,13 +46,24 @@ bool Exploration::leads_out(const DetectedFrontier& detected) const {
          direction.x() < kOutwards;
 }
 
-/// A robot that starts in mid-corridor has the mine behind it as well: only open air is an exit.
-/// The barrier is behind the robot when that saw it from the start, otherwise in front of it.
+/// A robot that starts in mid-corridor has the mine behind it as well: only open air is an exit,
+/// or what the operator says. The barrier is behind the robot when that saw it from the start,
+/// otherwise in front of it.
 void Exploration::add_exit_barrier() {
-  if (!params_.exit_behind_start || std::ranges::any_of(barriers_, is_exit) || !known_.pose_of(0))
-    return;
-  const Pose2 T_home_map = T_map_home().inverse();
+  if (std::ranges::any_of(barriers_, is_exit) || !known_.pose_of(0)) return;
   const double clear_m = params_.vehicle.length_m / 2.0 + kBehindStartM;
+  if (params_.starts_at_portal) {
+    barriers_.push_back(
+        {Barrier::Kind::kOutsideMine,
+         -1,
+         0,
+         {-clear_m, 0.0},
+         {-1.0, 0.0},
+         "behind the start: the exit of the mine, as the robot starts at the portal"});
+    return;
+  }
+  if (!params_.exit_behind_start) return;
+  const Pose2 T_home_map = T_map_home().inverse();
   for (const auto& [local_map, open] : known_.open_air()) {
     const Eigen::Vector2d p_home = T_home_map * open.p;
     const Eigen::Vector2d direction = T_home_map * open.direction - T_home_map.translation();
@@ -72,6 +83,7 @@ void Exploration::add_exit_barrier() {
 std::vector<BarrierLine> Exploration::barrier_lines() const {
   std::vector<BarrierLine> barrier_lines;
   for (const Barrier& barrier : barriers_) {
+    if (is_outside_ && is_exit(barrier)) continue;
     const bool passable_where_driven = barrier.kind == Barrier::Kind::kUnconfirmed &&
                                        barrier.frontier == ExplorationDecision::kNoFrontier;
     for (const Pose2& T_map_local : known_.poses_of(barrier.local_map)) {
@@ -98,11 +110,23 @@ std::optional<double> Exploration::path_length_home_m(const ExplorationState& st
   return from_home_->distance_m(p_atlas_body(state));
 }
 
+/// A robot beyond the exit has paths back through it, while frontiers out there stay closed.
+void Exploration::set_outside(bool is_outside) {
+  if (is_outside_ == is_outside) return;
+  is_outside_ = is_outside;
+  refresh_space();
+}
+
 /// A robot behind a barrier has passed it, so that there is a path. Removes the newest barrier
 /// without which a path home exists, or else all of them. If that does not help either, the cause
 /// is another one, and all barriers stay.
 void Exploration::drop_passed_barriers(const ExplorationState& state) {
   const std::vector<Barrier> all = barriers_;
+  if (std::ranges::any_of(all, is_exit)) {
+    set_outside(true);
+    if (path_length_home_m(state)) return;
+    set_outside(false);
+  }
   if (std::ranges::all_of(all, is_exit)) return;
   const auto leads_home_with = [&](std::vector<Barrier> barriers) {
     barriers_ = std::move(barriers);

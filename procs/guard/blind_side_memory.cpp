@@ -4,33 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 namespace adit {
 namespace {
 
 constexpr double kCellM = 0.1;
-constexpr double kReachM = 8.0;     // from the vehicle; farther cells are forgotten
-constexpr double kDrivenM = 60.0;   // path length, after which driven ground is forgotten
+constexpr double kReachM = 8.0;  // of the cells around the vehicle, to each side
+constexpr double kMoveCellsM = 1.0;
+constexpr double kDrivenM = 60.0;  // path length, after which driven ground is forgotten
+constexpr double kCorrectionMaxM = 0.3;
 constexpr double kRangeM = 5.0;     // of a beam that counts
 constexpr double kShortOfM = 0.05;  // before the obstacle that a beam hit
 constexpr double kJumpM = 0.5;      // maximum step between poses
-constexpr double kMovedM = 0.05;    // between two scans, or two footprints, that are added
+constexpr double kMovedM = 0.05;    // between two scans, or two places, that are added
 constexpr double kTurnedRad = 0.05;
-constexpr double kSampleM = 0.05;  // along the motion and along the edge of the footprint
+constexpr double kStoredM = 0.5;  // between two scans that are stored
+constexpr double kStoredRad = 0.25;
+constexpr std::size_t kBearings = 360;  // 0.09 m apart at kRangeM
+constexpr double kSampleM = 0.05;       // along the motion and along the edge of the footprint
 constexpr double kInsideM = 0.02;  // the edge of the footprint that must be known lies inside it
 
-std::int64_t cell_of(const Eigen::Vector2d& p_odom) {
+Eigen::Vector2i cell_of(const Eigen::Vector2d& p_odom) {
   const auto index = [](double value) {
-    return static_cast<std::int64_t>(std::floor(std::clamp(value / kCellM, -1e9, 1e9)));
+    return static_cast<int>(std::floor(std::clamp(value / kCellM, -1e9, 1e9)));
   };
-  return index(p_odom.x()) * 4'000'000'007 + index(p_odom.y());
+  return {index(p_odom.x()), index(p_odom.y())};
 }
 
-bool has_moved(const std::optional<Pose2>& from, const Pose2& to) {
+CellBox cells_around(const Eigen::Vector2d& p_odom) {
+  const Eigen::Vector2i reach = Eigen::Vector2i::Constant(static_cast<int>(kReachM / kCellM));
+  const Eigen::Vector2i centre = cell_of(p_odom);
+  return {centre - reach, centre + reach + Eigen::Vector2i::Ones()};
+}
+
+bool has_moved(const std::optional<Pose2>& from, const Pose2& to, double by_m = kMovedM,
+               double by_rad = kTurnedRad) {
   if (!from) return true;
   const Pose2 step = between(*from, to);
-  return step.translation().norm() > kMovedM || std::abs(step.theta) > kTurnedRad;
+  return step.translation().norm() > by_m || std::abs(step.theta) > by_rad;
 }
 
 }  // namespace
@@ -40,15 +55,38 @@ BlindSideMemory::BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser
 
 void BlindSideMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
-    seen_.clear();
-    driven_.clear();
-    driven_in_order_.clear();
+    known_ = {};
+    places_.clear();
     T_odom_observed_.reset();
-    T_odom_footprint_.reset();
+    T_odom_stored_.reset();
   }
   T_odom_body_ = T_odom_body;
-  if (has_moved(T_odom_footprint_, T_odom_body)) add_footprint();
-  if ((T_odom_body.translation() - p_odom_pruned_).norm() > 1.0) forget_far_cells();
+  const Eigen::Vector2i centre = known_.box().from + known_.box().size() / 2;
+  const Eigen::Vector2d p_odom_centre = kCellM * centre.cast<double>();
+  if (known_.size() == 0 || (T_odom_body.translation() - p_odom_centre).norm() > kMoveCellsM)
+    move_cells();
+  if (places_.empty() || has_moved(places_.back().T_odom_body, T_odom_body)) add_place();
+}
+
+/// A new session is a new odom frame: the correction says nothing about its poses before.
+void BlindSideMemory::correct(const MapCorrection& correction) {
+  if (!T_odom_body_) return;
+  const std::optional<MapCorrection> before = std::exchange(correction_, correction);
+  corrected_at_m_ = odometer_m_;
+  if (!before || before->T_map_odom == correction.T_map_odom) return;
+  const Pose2 T_after_before = between(correction.T_map_odom, before->T_map_odom);
+  const Eigen::Vector2d p_odom_body = T_odom_body_->translation();
+  const double moved_m = (T_after_before * p_odom_body - p_odom_body).norm();
+  const bool is_usable = correction.session == before->session && moved_m <= kCorrectionMaxM;
+  const auto recent =
+      std::ranges::lower_bound(places_, odometer_m_ - kKeepsPlaceInOdomM, {}, &Place::driven_at_m);
+  if (is_usable) {
+    for (auto place = places_.begin(); place != recent; ++place)
+      place->T_odom_body = T_after_before * place->T_odom_body;
+  } else {
+    places_.erase(places_.begin(), recent);
+  }
+  mark_all_near();
 }
 
 void BlindSideMemory::observe(const LaserPoints& points) {
@@ -56,8 +94,27 @@ void BlindSideMemory::observe(const LaserPoints& points) {
   T_odom_observed_ = T_odom_body_;
   const Eigen::Vector2d p_odom_laser = *T_odom_body_ * laser_.T_body_laser.translation();
   for (const Eigen::Vector2d& p_body : points.p_body) {
-    if (p_body.allFinite()) add_line(p_odom_laser, *T_odom_body_ * p_body);
+    if (p_body.allFinite()) mark_line(p_odom_laser, *T_odom_body_ * p_body);
   }
+  if (!has_moved(T_odom_stored_, *T_odom_body_, kStoredM, kStoredRad)) return;
+  T_odom_stored_ = T_odom_body_;
+  add_place();
+  places_.back().free_m = free_by_bearing(points);
+}
+
+std::vector<float> BlindSideMemory::free_by_bearing(const LaserPoints& points) const {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  std::vector<float> free_m(kBearings, kNone);
+  for (const Eigen::Vector2d& p_body : points.p_body) {
+    if (!p_body.allFinite()) continue;
+    const Eigen::Vector2d line = p_body - laser_.T_body_laser.translation();
+    const double turn = std::atan2(line.y(), line.x()) / (2.0 * std::numbers::pi) + 0.5;
+    const auto bearing = static_cast<std::size_t>(turn * static_cast<double>(kBearings));
+    float& least_m = free_m[bearing % kBearings];
+    least_m = std::min(least_m, static_cast<float>(line.norm()));
+  }
+  std::ranges::replace(free_m, kNone, 0.0F);  // nothing known
+  return free_m;
 }
 
 double BlindSideMemory::known_m(const ArcMotion& motion, double within_m) const {
@@ -81,8 +138,8 @@ bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
   const double y_m = std::max(0.0, 0.5 * vehicle_.width_m - kInsideM);
   const auto known = [&](double x, double y) {
     const Eigen::Vector2d p_odom = T_odom_body * Eigen::Vector2d(x, y);
-    const std::int64_t cell = cell_of(p_odom);
-    return is_under_body(p_odom) || seen_.contains(cell) || driven_.contains(cell);
+    const Eigen::Vector2i cell = cell_of(p_odom);
+    return is_under_body(p_odom) || known_.get(cell) != 0;
   };
   const int along = static_cast<int>(std::ceil(2.0 * x_m / kSampleM));
   for (int i = 0; i <= along; ++i) {
@@ -97,63 +154,87 @@ bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
   return true;
 }
 
-/// The body is up to kMovedM ahead of the last footprint that was added.
+/// The body is up to kMovedM ahead of the last place that was added.
 bool BlindSideMemory::is_under_body(const Eigen::Vector2d& p_odom) const {
   const Eigen::Vector2d p_body = T_odom_body_->inverse() * p_odom;
   return std::abs(p_body.x()) <= 0.5 * vehicle_.length_m &&
          std::abs(p_body.y()) <= 0.5 * vehicle_.width_m;
 }
 
-void BlindSideMemory::add_footprint() {
-  if (T_odom_footprint_)
-    odometer_m_ += between(*T_odom_footprint_, *T_odom_body_).translation().norm();
-  T_odom_footprint_ = T_odom_body_;
+void BlindSideMemory::add_place() {
+  if (!places_.empty())
+    odometer_m_ += between(places_.back().T_odom_body, *T_odom_body_).translation().norm();
+  places_.push_back({*T_odom_body_, odometer_m_, {}});
+  mark(places_.back());
+  forget_old_places();
+}
+
+/// Those that were driven or placed by a map correction too long ago.
+void BlindSideMemory::forget_old_places() {
+  if (correction_ && corrected_at_m_ >= odometer_m_ - kDrivenM) return;
+  bool forgot_near = false;
+  while (places_.front().driven_at_m < odometer_m_ - kDrivenM) {
+    forgot_near = forgot_near || is_near(places_.front());
+    places_.pop_front();
+  }
+  if (forgot_near) mark_all_near();
+}
+
+/// The footprint, and what was seen from there.
+void BlindSideMemory::mark(const Place& place) {
   const int along = static_cast<int>(std::ceil(vehicle_.length_m / kSampleM));
   const int across = static_cast<int>(std::ceil(vehicle_.width_m / kSampleM));
   for (int i = 0; i <= along; ++i) {
     for (int j = 0; j <= across; ++j) {
       const Eigen::Vector2d p_body(vehicle_.length_m * (static_cast<double>(i) / along - 0.5),
                                    vehicle_.width_m * (static_cast<double>(j) / across - 0.5));
-      const std::int64_t cell = cell_of(*T_odom_body_ * p_body);
-      driven_[cell] = odometer_m_;
-      driven_in_order_.emplace_back(cell, odometer_m_);
+      const Eigen::Vector2i cell = cell_of(place.T_odom_body * p_body);
+      if (known_.contains(cell)) known_.at(cell) = 1;
     }
   }
-  forget_old_cells();
-}
-
-/// A cell that was driven again since is in the order twice.
-void BlindSideMemory::forget_old_cells() {
-  while (!driven_in_order_.empty() && driven_in_order_.front().second < odometer_m_ - kDrivenM) {
-    const auto& [cell, at_m] = driven_in_order_.front();
-    if (const auto found = driven_.find(cell); found != driven_.end() && found->second == at_m)
-      driven_.erase(found);
-    driven_in_order_.pop_front();
+  const Eigen::Vector2d p_body_laser = laser_.T_body_laser.translation();
+  for (std::size_t i = 0; i < place.free_m.size(); ++i) {
+    const double bearing =
+        2.0 * std::numbers::pi * ((static_cast<double>(i) + 0.5) / kBearings - 0.5);
+    const Eigen::Vector2d ahead(std::cos(bearing), std::sin(bearing));
+    mark_line(place.T_odom_body * p_body_laser,
+              place.T_odom_body * Eigen::Vector2d(p_body_laser + place.free_m[i] * ahead));
   }
 }
 
-void BlindSideMemory::add_line(const Eigen::Vector2d& p_odom_from,
-                               const Eigen::Vector2d& p_odom_to) {
+void BlindSideMemory::mark_all_near() {
+  known_ = Grid2<std::uint8_t>(known_.box());
+  for (const Place& place : places_) {
+    if (is_near(place)) mark(place);
+  }
+}
+
+/// Whether it may reach into the cells.
+bool BlindSideMemory::is_near(const Place& place) const {
+  const double reach_m =
+      std::hypot(vehicle_.length_m, vehicle_.width_m) + (place.free_m.empty() ? 0.0 : kRangeM);
+  return between(place.T_odom_body, *T_odom_body_).translation().norm() <
+         std::numbers::sqrt2 * kReachM + kMoveCellsM + reach_m;
+}
+
+/// Moves the cells with the vehicle.
+void BlindSideMemory::move_cells() {
+  const Grid2<std::uint8_t> before = std::move(known_);
+  known_ = Grid2<std::uint8_t>(cells_around(T_odom_body_->translation()));
+  mark_all_near();
+  for (std::size_t i = 0; i < known_.size(); ++i)
+    known_[i] = std::max(known_[i], before.get(known_.cell(i)));
+}
+
+void BlindSideMemory::mark_line(const Eigen::Vector2d& p_odom_from,
+                                const Eigen::Vector2d& p_odom_to) {
   const Eigen::Vector2d line = p_odom_to - p_odom_from;
   const double range_m = line.norm();
   const double end_m = std::min(range_m - kShortOfM, kRangeM);
   for (double distance_m = 0.0; distance_m < end_m; distance_m += kSampleM) {
-    seen_.insert(cell_of(p_odom_from + distance_m / range_m * line));
+    const Eigen::Vector2i cell = cell_of(p_odom_from + distance_m / range_m * line);
+    if (known_.contains(cell)) known_.at(cell) = 1;
   }
-}
-
-/// Cells are erased by their place, which the key does not hold: what is near is added again.
-void BlindSideMemory::forget_far_cells() {
-  p_odom_pruned_ = T_odom_body_->translation();
-  const auto reach = static_cast<int>(kReachM / kCellM);
-  std::unordered_set<std::int64_t> near;
-  for (int i = -reach; i <= reach; ++i) {
-    for (int j = -reach; j <= reach; ++j) {
-      const std::int64_t cell = cell_of(p_odom_pruned_ + kCellM * Eigen::Vector2d(i, j));
-      if (seen_.contains(cell)) near.insert(cell);
-    }
-  }
-  seen_ = std::move(near);
 }
 
 }  // namespace adit

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
-#include <unordered_map>
-#include <unordered_set>
-#include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "common/grid/grid2.hpp"
+#include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/obstacle_points.hpp"
 #include "common/types/vehicle.hpp"
@@ -19,10 +19,15 @@
 
 namespace adit {
 
-/// The ground that is known to be free, for motions to a side on which the vehicle is blind: where
-/// it has been over the last 60 m, and within 8 m what lay between the laser and the obstacles that
-/// it saw. Cells of 0.1 m in odom. All is forgotten when the pose jumps. What comes there
-/// afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
+/// The ground within 8 m that is known to be free, for motions to a side on which the vehicle is
+/// blind: where it has been, and what lay between the laser and the obstacles that it saw. Cells of
+/// 0.1 m in odom.
+///
+/// Odom drifts: ground is forgotten 60 m after the vehicle has driven over it, unless a map
+/// correction has placed it since. As on the traversed path of the mission, what was driven more
+/// than 10 m ago keeps its place in map; it is forgotten where a correction moves the vehicle by
+/// more than 0.3 m, as a wrong loop closure does. All is forgotten when the pose jumps. What comes
+/// there afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
 class BlindSideMemory {
  public:
   BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser);
@@ -31,30 +36,41 @@ class BlindSideMemory {
   /// Adds a scan; ignored before the first pose, and until the vehicle has moved 5 cm or 3° since
   /// the last one.
   void observe(const LaserPoints& points);
+  /// Places what was driven long ago. Ignored before the first pose.
+  void correct(const MapCorrection& correction);
 
   /// Distance that the body can move along the arc over known ground, up to `within_m` [m]. 0
   /// before the first pose.
   [[nodiscard]] double known_m(const ArcMotion& motion, double within_m) const;
 
  private:
-  void add_footprint();
-  void add_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vector2d& p_odom_to);
-  void forget_far_cells();
-  void forget_old_cells();
+  struct Place {
+    Pose2 T_odom_body;
+    double driven_at_m;         ///< odometer
+    std::vector<float> free_m;  ///< from the laser to obstacles, by bearing in body; may be empty
+  };
+
+  void add_place();
+  void forget_old_places();
+  void mark(const Place& place);
+  void mark_all_near();
+  void move_cells();
+  void mark_line(const Eigen::Vector2d& p_odom_from, const Eigen::Vector2d& p_odom_to);
+  [[nodiscard]] std::vector<float> free_by_bearing(const LaserPoints& points) const;
+  [[nodiscard]] bool is_near(const Place& place) const;
   [[nodiscard]] bool is_known(const Pose2& T_odom_body) const;
   [[nodiscard]] bool is_under_body(const Eigen::Vector2d& p_odom) const;
 
   Vehicle vehicle_;
   LaserMount laser_;
   std::optional<Pose2> T_odom_body_;
-  std::optional<Pose2> T_odom_observed_;   ///< at the last scan that was added
-  std::optional<Pose2> T_odom_footprint_;  ///< at the last footprint that was added
-  Eigen::Vector2d p_odom_pruned_{0.0, 0.0};
-  // Only looked up and erased: their order has no effect.
-  std::unordered_set<std::int64_t> seen_;
-  std::unordered_map<std::int64_t, double> driven_;  ///< with the odometer when it was last driven
-  std::deque<std::pair<std::int64_t, double>> driven_in_order_;
+  std::optional<Pose2> T_odom_observed_;  ///< at the last scan that was added
+  std::optional<Pose2> T_odom_stored_;    ///< at the last scan that was stored with a place
+  std::optional<MapCorrection> correction_;
+  double corrected_at_m_ = 0.0;  ///< odometer at the last correction
   double odometer_m_ = 0.0;
+  std::deque<Place> places_;   ///< oldest first
+  Grid2<std::uint8_t> known_;  ///< cells around the vehicle: 1 if known to be free
 };
 
 }  // namespace adit

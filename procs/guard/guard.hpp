@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
+#include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/attitude_filter.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
@@ -61,6 +62,8 @@ class Guard {
   void receive(const SinkageReading& reading, std::int64_t now);
   void receive_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
   void receive_supervisor(std::int64_t utime, std::int64_t now);
+  /// Only places ground that has carried the vehicle, for reverse motion without a rear laser.
+  void receive(const MapCorrection& correction) { surroundings_.receive(correction); }
 
   /// A stop that another process orders: it holds for kForeignStopS after the last one.
   void receive_stop(std::int64_t now);

@@ -9,6 +9,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 
@@ -66,6 +67,9 @@ void GuardNode::subscribe_motion() {
   subscribe<pose_t>(bus_, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
     guard_.receive_pose(pose.T_odom_body, pose.utime, bus_.now_utime());
   });
+  subscribe<map_correction_t>(
+      bus_, channels::kMapCorrection, Delivery::latest(),
+      [this](const MapCorrection& correction) { guard_.receive(correction); });
   subscribe<vehicle_state_t>(
       bus_, channels::kVehicleState, Delivery::latest(),
       [this](const VehicleState& state) { guard_.receive(state, bus_.now_utime()); });

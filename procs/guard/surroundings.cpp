@@ -38,6 +38,10 @@ void Surroundings::move_to(const Pose2& T_odom_body) {
   if (blind_side_memory_) blind_side_memory_->move_to(T_odom_body);
 }
 
+void Surroundings::receive(const MapCorrection& correction) {
+  if (blind_side_memory_) blind_side_memory_->correct(correction);
+}
+
 void Surroundings::receive(LaserId laser, const TiltReading& reading, std::int64_t at_us) {
   monitor_of(laser).receive(reading, at_us);
 }

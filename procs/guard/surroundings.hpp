@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
 #include "procs/guard/blind_side_memory.hpp"
@@ -29,6 +30,8 @@ class Surroundings {
   void receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
                const Eigen::Vector3d& up_body);
   void move_to(const Pose2& T_odom_body);
+  /// Places what the vehicle has driven over, for motions to its blind side.
+  void receive(const MapCorrection& correction);
 
   /// The obstacle within the stopping distance, as text; nothing without one or at zero speed.
   /// `arc` names the motion in that text. `for_release`: within the stopping distance and the

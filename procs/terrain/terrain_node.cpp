@@ -66,6 +66,7 @@ void TerrainNode::on_match(const ScanMatch& match) {
 /// Relates the odom frames through map.
 void TerrainNode::on_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return;  // of the previous odom frame
+  if (T_map_odom_) memory_.correct(between(correction.T_map_odom, *T_map_odom_));
   T_map_odom_ = correction.T_map_odom;
   if (!T_map_previous_odom_ || !odom_is_localized(correction)) return;
   memory_.anchor(between(correction.T_map_odom, *T_map_previous_odom_));

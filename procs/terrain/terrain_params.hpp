@@ -54,10 +54,10 @@ struct RepulsionParams {
   }
 };
 
-/// Memory of earlier maps in odom, which drifts.
+/// Memory of earlier maps, in odom and placed by map.
 struct TerrainMemoryParams {
-  int maps_max = 24;                   ///< stored maps, 0.6 MB each; 0: no memory and no path
-  double distance_max_m = 40.0;        ///< driven since a scan; then odom has drifted too far
+  int maps_max = 500;                  ///< stored maps, 0.2 MB each in a tunnel; 0: no memory
+  double distance_max_m = 40.0;        ///< driven since a scan or since map placed it
   double path_length_max_m = 15.0;     ///< shortest path to a scan; beyond may be another level
   double residual_max_m = 0.06;        ///< residual of the height differences to a plane
   double inlier_share = 0.75;          ///< share of the differences that must lie within it
@@ -67,7 +67,7 @@ struct TerrainMemoryParams {
 
   template <class V>
   void visit(V& v) {
-    v("maps_max", maps_max, within(0, 50));
+    v("maps_max", maps_max, within(0, 1000));
     v("distance_max_m", distance_max_m, within(0.0, 1000.0));
     v("path_length_max_m", path_length_max_m, within(0.0, 100.0));
     v("residual_max_m", residual_max_m, above(0.0));

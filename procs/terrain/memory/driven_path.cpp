@@ -9,6 +9,7 @@
 #include <queue>
 #include <utility>
 
+#include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -18,7 +19,7 @@ constexpr double kStepM = 0.1;
 constexpr double kStepRad = 0.1;
 constexpr double kJumpM = 0.5;    // beyond what the body can drive in the time
 constexpr double kJumpRad = 0.7;  // within a second
-constexpr std::size_t kPlaces = 2000;
+constexpr std::size_t kPlaces = 20'000;
 constexpr double kJoinedM = 1.0;  // between successive places; a longer gap is no driven ground
 constexpr double kMeetingM = 0.3;
 constexpr double kLoopMinM = 1.0;  // driven between two places that meet
@@ -44,10 +45,8 @@ bool DrivenPath::add(std::int64_t utime, const Pose2& T_odom_body) {
     distance_travelled_m_ += step_length_m;
   }
   places_.push_back({T_odom_body, distance_travelled_m_, utime});
-  while (places_.size() > kPlaces ||
-         places_.front().distance_travelled_m < distance_travelled_m_ - limits_.distance_max_m) {
+  while (places_.size() > kPlaces || has_expired(places_.front().distance_travelled_m))
     places_.pop_front();
-  }
   find_meeting();
   return follows;
 }
@@ -62,7 +61,7 @@ void DrivenPath::find_meeting() {
   if (std::ranges::none_of(places_, near)) return;
   const std::vector<double> lengths_m = lengths_to_newest();
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (lengths_m[i] > limits_.path_length_max_m || !near(places_[i])) continue;
+    if (std::isinf(lengths_m[i]) || !near(places_[i])) continue;
     newest.met_at_m = places_[i].distance_travelled_m;
     return;
   }
@@ -88,6 +87,23 @@ void DrivenPath::anchor(const Pose2& T_odom_previous) {
   previous_.clear();
 }
 
+void DrivenPath::correct(const Pose2& T_after_before) {
+  corrected_at_m_ = distance_travelled_m_;
+  for (Place& place : places_) {
+    if (!keeps_place_in_map(place.distance_travelled_m)) return;
+    place.T_odom_body = T_after_before * place.T_odom_body;
+  }
+}
+
+bool DrivenPath::keeps_place_in_map(double distance_travelled_m) const {
+  return distance_travelled_m < distance_travelled_m_ - kKeepsPlaceInOdomM;
+}
+
+bool DrivenPath::has_expired(double distance_travelled_m) const {
+  return std::max(distance_travelled_m, corrected_at_m_) <
+         distance_travelled_m_ - limits_.distance_max_m;
+}
+
 /// The first place at this distance; the number of places if it is forgotten.
 std::size_t DrivenPath::index_of(double distance_travelled_m) const {
   const auto found =
@@ -98,7 +114,8 @@ std::size_t DrivenPath::index_of(double distance_travelled_m) const {
   return static_cast<std::size_t>(found - places_.begin());
 }
 
-/// For each place, by Dijkstra's search [m]; infinite where there is no driven ground in between.
+/// For each place, by Dijkstra's search [m]; infinite beyond `path_length_max_m`, and where there
+/// is no driven ground in between.
 std::vector<double> DrivenPath::lengths_to_newest() const {
   std::vector<double> lengths_m(places_.size(), std::numeric_limits<double>::infinity());
   if (places_.empty()) return lengths_m;
@@ -115,9 +132,10 @@ std::vector<double> DrivenPath::lengths_to_newest() const {
   const auto reach = [&](std::size_t from, std::size_t to) {
     const double step_m =
         between(places_[from].T_odom_body, places_[to].T_odom_body).translation().norm();
-    if (lengths_m[from] + step_m >= lengths_m[to]) return;
-    lengths_m[to] = lengths_m[from] + step_m;
-    open.emplace(lengths_m[to], to);
+    const double length_m = lengths_m[from] + step_m;
+    if (length_m >= lengths_m[to] || length_m > limits_.path_length_max_m) return;
+    lengths_m[to] = length_m;
+    open.emplace(length_m, to);
   };
   const auto joined = [&](std::size_t i, std::size_t next) {
     return places_[next].distance_travelled_m - places_[i].distance_travelled_m <= kJoinedM;
@@ -139,7 +157,7 @@ std::vector<DrivenPath::Place> DrivenPath::same_level() const {
   const std::vector<double> lengths_m = lengths_to_newest();
   std::vector<Place> places;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (lengths_m[i] <= limits_.path_length_max_m) places.push_back(places_[i]);
+    if (std::isfinite(lengths_m[i])) places.push_back(places_[i]);
   }
   return places;
 }

@@ -12,7 +12,8 @@
 
 namespace adit {
 
-/// The traversed path of the body in odom, sampled, as far back as odom is accurate enough.
+/// The traversed path of the body, sampled, in odom. What was driven long ago keeps its place in
+/// map where odom moves in map (`correct`).
 ///
 /// Where the robot moves to and fro it stays near the same ground however far it drives. Places are
 /// therefore related by the shortest path over driven ground: along the traversed path, and across
@@ -29,7 +30,7 @@ class DrivenPath {
   };
 
   struct Limits {
-    double distance_max_m;     ///< driven since a place; then odom has drifted too far
+    double distance_max_m;     ///< driven since a place, or since map placed it; odom drifts
     double path_length_max_m;  ///< shortest path over driven ground; beyond may be another level
     double speed_max_m_s;
   };
@@ -44,6 +45,13 @@ class DrivenPath {
   bool reset(std::int64_t odom_epoch_utime);
   /// Sets the pose of the previous odom frame in the current one, and prepends the path in it.
   void anchor(const Pose2& T_odom_previous);
+  /// Mapping has placed odom in map: `T_after_before` is its old pose in the new one. Places that
+  /// were driven more than kKeepsPlaceInOdomM ago keep their place in map.
+  void correct(const Pose2& T_after_before);
+  /// Whether what was observed at this distance travelled keeps its place in map, not in odom.
+  [[nodiscard]] bool keeps_place_in_map(double distance_travelled_m) const;
+  /// Whether odom has drifted too far since then.
+  [[nodiscard]] bool has_expired(double distance_travelled_m) const;
 
   /// Total distance travelled [m], without the noise at standstill.
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
@@ -58,8 +66,9 @@ class DrivenPath {
 
   Limits limits_;
   double distance_travelled_m_ = 0.0;
-  std::deque<Place> places_;    ///< oldest first, ascending in distance
-  std::deque<Place> previous_;  ///< places in the previous odom frame
+  double corrected_at_m_ = 0.0;  ///< distance travelled at the last correction
+  std::deque<Place> places_;     ///< oldest first, ascending in distance
+  std::deque<Place> previous_;   ///< places in the previous odom frame
   struct Reading {
     std::int64_t utime;
     Pose2 T_odom_body;

@@ -15,16 +15,27 @@ RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
       p_level_corner_(map.p_level_corner),
       cell_m_(map.cell_m),
       T_odom_level_(map.T_odom_level),
-      distance_travelled_m_(distance_travelled_m) {
-  cells_.reserve(map.cells.size());
+      distance_travelled_m_(distance_travelled_m),
+      columns_(map.cells.columns()),
+      cells_(map.cells.box()) {
   for (int row = 0; row < map.cells.rows(); ++row) {
     for (int column = 0; column < map.cells.columns(); ++column) {
       const TerrainCell& cell = map.cells.at({column, row});
       const Ground ground = is_narrow_gap(map, column, row) ? Ground::kNeverObserved : cell.ground;
-      cells_.push_back({cell.low_m, cell.high_m, cell.clearance_m, cell.count, ground, false,
-                        cell.obstacle_parts});
+      cells_.at({column, row}) = {cell.low_m, cell.high_m, cell.clearance_m,   cell.count,
+                                  ground,     false,       cell.obstacle_parts};
     }
   }
+}
+
+void RememberedMap::crop() {
+  CellBox informative;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i].is_informative()) informative = united(informative, cells_.cell(i));
+  }
+  Grid2<RememberedCell> cropped(informative);
+  for (std::size_t i = 0; i < cropped.size(); ++i) cropped[i] = cells_.at(cropped.cell(i));
+  cells_ = std::move(cropped);
 }
 
 bool RememberedMap::has_obstacle_at(const Eigen::Vector2d& p_level) const {

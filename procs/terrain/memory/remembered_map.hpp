@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "common/grid/grid2.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
 #include "procs/terrain/cell_heights.hpp"
@@ -59,11 +60,16 @@ class RememberedMap {
   /// The cell at a point in its level, or nullptr outside.
   [[nodiscard]] const RememberedCell* at(float x, float y) const {
     const int cell = finder_.at(x, y);
-    return cell == CellFinder::kOutside ? nullptr : &cells_[static_cast<std::size_t>(cell)];
+    if (cell == CellFinder::kOutside) return nullptr;
+    const Eigen::Vector2i at(cell % columns_, cell / columns_);
+    return cells_.contains(at) ? &cells_.at(at) : nullptr;
   }
   /// Whether an obstacle stands in the part of a cell that contains a point in its level.
   [[nodiscard]] bool has_obstacle_at(const Eigen::Vector2d& p_level) const;
+  /// The cell with an index of the map; valid until `crop`.
   [[nodiscard]] RememberedCell& cell(std::size_t i) { return cells_[i]; }
+  /// Drops the rows and columns at the rim that have no information.
+  void crop();
   [[nodiscard]] const Pose2& T_odom_level() const { return T_odom_level_; }
   /// Distance travelled when the scan was taken.
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
@@ -76,7 +82,8 @@ class RememberedMap {
   double cell_m_;
   Pose2 T_odom_level_;
   double distance_travelled_m_;
-  std::vector<RememberedCell> cells_;
+  int columns_;  ///< of the map
+  Grid2<RememberedCell> cells_;
 };
 
 /// Whether beams passed over a cell, but over few cells around it: at long range the beams are so

@@ -168,10 +168,17 @@ void TerrainMemory::anchor(const Pose2& T_odom_previous) {
   previous_.clear();
 }
 
+void TerrainMemory::correct(const Pose2& T_after_before) {
+  path_.correct(T_after_before);
+  for (RememberedMap& map : maps_) {
+    if (path_.keeps_place_in_map(map.distance_travelled_m())) map.anchor(T_after_before);
+  }
+}
+
 /// Recalls the cells of an earlier scan for which later ones have no information. Later ground that
 /// is only interpolated between beams does not remove an earlier obstacle.
 void TerrainMemory::gather(const TerrainMap& map, const RememberedMap& before,
-                           const HeightPlane& plane, std::uint8_t which) {
+                           const HeightPlane& plane, std::uint16_t which) {
   const float obstacle_m = obstacle_height_m(params_.vehicle);
   const Pose2 T_before_now = between(before.T_odom_level(), map.T_odom_level);
   const auto cell_m = static_cast<float>(map.cell_m);
@@ -211,6 +218,7 @@ const RecallResult& TerrainMemory::recall(TerrainMap& map) {
   merge(map, single_scan);
   DrivenGround(map, same_level, params_.vehicle).fill_driven(map, changed_, observed_at_m_);
   close_narrow_gaps(map, changed_, obstacle_height_m(params_.vehicle));
+  single_scan.crop();
   maps_.push_front(std::move(single_scan));
   while (maps_.size() > static_cast<std::size_t>(params_.memory.maps_max)) maps_.pop_back();
   return recall_result_;
@@ -218,13 +226,10 @@ const RecallResult& TerrainMemory::recall(TerrainMap& map) {
 
 void TerrainMemory::gather_all(const TerrainMap& map,
                                const std::vector<DrivenPath::Place>& same_level) {
-  while (!maps_.empty() && maps_.back().distance_travelled_m() <
-                               path_.distance_travelled_m() - params_.memory.distance_max_m) {
-    maps_.pop_back();
-  }
+  while (!maps_.empty() && path_.has_expired(maps_.back().distance_travelled_m())) maps_.pop_back();
   from_.assign(map.cells.size(), RecallResult::kCurrent);
   recalled_.assign(map.cells.size(), {});
-  std::uint8_t which = 0;
+  std::uint16_t which = 0;
   for (const RememberedMap& before : maps_) {
     ++which;
     if (!std::ranges::binary_search(same_level, before.distance_travelled_m(), {},

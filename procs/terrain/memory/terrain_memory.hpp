@@ -15,9 +15,9 @@ namespace adit {
 
 /// Result of filling a map from memory.
 struct RecallResult {
-  static constexpr std::uint8_t kCurrent = 0;  ///< current scan, driven ground or unknown
+  static constexpr std::uint16_t kCurrent = 0;  ///< current scan, driven ground or unknown
   /// The scan that each cell is from: so many before the current one.
-  std::vector<std::uint8_t> from;
+  std::vector<std::uint16_t> from;
   int used = 0;      ///< earlier scans used
   int rejected = 0;  ///< earlier scans that cannot be aligned
   int changed = 0;   ///< cells for which earlier scans no longer count
@@ -26,8 +26,8 @@ struct RecallResult {
 /// Earlier scans and the traversed path, in odom. The lasers are at the ends of the vehicle and
 /// cannot observe the ground beside and directly in front of it; earlier scans did, from farther
 /// away. Each scan is stored by itself, so that no error is passed on from map to map. Scans taken
-/// on the same level count (DrivenPath), as far back as odom is accurate enough; bounded by number,
-/// and empty after a restart.
+/// on the same level count (DrivenPath), as far back as odom is accurate enough or map has placed
+/// them; bounded by number, and empty after a restart.
 class TerrainMemory {
  public:
   explicit TerrainMemory(const TerrainParams& params);
@@ -39,6 +39,8 @@ class TerrainMemory {
   void reset(std::int64_t odom_epoch_utime);
   /// Sets the pose of the previous odom frame in the current one; scans in it count again.
   void anchor(const Pose2& T_odom_previous);
+  /// Mapping has placed odom in map, see DrivenPath.
+  void correct(const Pose2& T_after_before);
 
   /// Fills unknown cells of the map from earlier scans, newest first, and stores the scan. Cells
   /// observed in the scan are retained; obstacles in cells that it cannot observe are recalled. The
@@ -51,7 +53,7 @@ class TerrainMemory {
  private:
   void gather_all(const TerrainMap& map, const std::vector<DrivenPath::Place>& same_level);
   void gather(const TerrainMap& map, const RememberedMap& before, const HeightPlane& plane,
-              std::uint8_t which);
+              std::uint16_t which);
   void merge(TerrainMap& map, RememberedMap& single_scan);
 
   TerrainParams params_;
@@ -60,7 +62,7 @@ class TerrainMemory {
   std::deque<RememberedMap> previous_;  ///< likewise, in the previous odom frame
   RecallResult recall_result_;
   std::vector<RememberedCell> recalled_;
-  std::vector<std::uint8_t> from_;     ///< scan of each recalled cell
+  std::vector<std::uint16_t> from_;    ///< scan of each recalled cell
   std::vector<float> observed_at_m_;   ///< distance travelled at its observation
   std::vector<std::uint8_t> changed_;  ///< cells for which earlier scans do not count
 };

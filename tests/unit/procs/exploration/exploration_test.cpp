@@ -93,6 +93,44 @@ TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
   EXPECT_GT(run.distance_travelled_m, 4 * 20.0);  // to where 8 m suffice to see the end, and back
 }
 
+/// Between both ends of the tunnel nothing shows which is the exit: the operator knows.
+TEST(Exploration, TakesWhatLiesBehindAStartAtThePortalForTheExit) {
+  const auto line = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return test::Segment{a, b};
+  };
+  const auto mine = test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
+                                       line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
+                                      Pose2{});
+  ExplorationParams params;
+  params.starts_at_portal = true;
+  Explorer explorer(mine, params);
+  const ExplorationDecision decision = explorer.decide();
+  EXPECT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 1U);
+  EXPECT_NEAR(decision.T_map_goal.theta, 0.0, 0.4);
+  const auto outside = explorer.frontiers(FrontierState::kOutsideMine);
+  ASSERT_FALSE(outside.empty());
+  EXPECT_EQ(outside[0].evidence,
+            "behind the start: the exit of the mine, as the robot starts at the portal");
+}
+
+/// The exit closes what lies outside, not the route back of a robot that has passed it.
+TEST(Exploration, LeadsBackIntoTheMineFromBeyondTheExit) {
+  const auto mine = tunnel_mine(straight());
+  Explorer explorer(mine);
+  explorer.decide();
+  explorer.robot.drive({{0.0, 0.0}, {-5.0, 0.0}}, 5.0);  // the portal is at x = -3 m
+  explorer.update_map();
+  const ExplorationDecision decision = explorer.decide();
+  EXPECT_GE(decision.frontier, 0) << decision.reason;
+  ASSERT_FALSE(explorer.exploration.route().empty());
+  EXPECT_GT(explorer.exploration.route().back().x(), 0.0);
+  EXPECT_FALSE(explorer.frontiers(FrontierState::kOutsideMine).empty());
+  EXPECT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 1U);
+  explorer.drive(12.0);
+  EXPECT_GT(explorer.robot.T_map_body().x, 4.0);
+  EXPECT_GE(explorer.decide().frontier, 0);
+}
+
 /// The walls of the tunnels have 3 m between them, those of a crossing 4.2 m; both are rough.
 TEST(Exploration, ReportsTheWidthOfTheCorridorAtAFrontier) {
   constexpr double kWidthM = 3.0;

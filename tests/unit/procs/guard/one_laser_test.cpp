@@ -152,14 +152,98 @@ TEST(BlindSideMemory, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 3.0), 1.58, 0.15);  // a cell and a half
 }
 
+/// Drives along x in steps of 0.1 m, a number of steps to a side of the present place.
+class Drive {
+ public:
+  explicit Drive(BlindSideMemory& ground) : ground_(ground) { ground_.move_to(pose()); }
+  void by(int steps, bool with_corrections = false) {
+    for (int i = 0; i < std::abs(steps); ++i) {
+      step_ += steps > 0 ? 1 : -1;
+      ground_.move_to(pose());
+      if (with_corrections && i % 10 == 0) ground_.correct(correction);
+    }
+  }
+  MapCorrection correction;
+
+ private:
+  [[nodiscard]] Pose2 pose() const { return {0.1 * step_, 0.0, 0.0}; }
+  BlindSideMemory& ground_;
+  int step_ = 0;
+};
+
 TEST(BlindSideMemory, KnowsThePathOfTheLast60Metres) {
-  Vehicle vehicle;
-  BlindSideMemory ground(vehicle, LaserMount{});
-  for (int i = 0; i <= 800; ++i) ground.move_to({0.1 * i, 0.0, 0.0});
-  EXPECT_EQ(ground.known_m({-0.3, 0.0}, 59.0), 59.0);
-  EXPECT_LT(ground.known_m({-0.3, 0.0}, 70.0), 61.0);
-  for (int i = 800; i >= 600; --i) ground.move_to({0.1 * i, 0.0, 0.0});
-  EXPECT_EQ(ground.known_m({0.3, 0.0}, 19.0), 19.0);  // driven twice
+  BlindSideMemory ground(Vehicle{}, LaserMount{});
+  Drive drive(ground);
+  drive.by(400);
+  drive.by(-240);  // at x = 16 m, 64 m driven: known from x = 4 m on
+  EXPECT_EQ(ground.known_m({-0.3, 0.0}, 5.5), 5.5);
+  drive.by(
+      -50);  // at x = 11 m, 69 m driven: known from x = 9 m on, less half a vehicle and a sample
+  EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 6.0), 2.0, 0.1);
+  EXPECT_EQ(ground.known_m({0.3, 0.0}, 6.0), 6.0);  // driven twice
+}
+
+TEST(BlindSideMemory, KnowsAllOfThePathWithAMap) {
+  BlindSideMemory ground(Vehicle{}, LaserMount{});
+  Drive drive(ground);
+  drive.by(800, true);
+  drive.by(-750, true);                                     // at x = 5 m
+  EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 6.0), 5.0, 0.1);  // to the start
+}
+
+TEST(BlindSideMemory, ForgetsWithoutAMapFor60Metres) {
+  BlindSideMemory ground(Vehicle{}, LaserMount{});
+  Drive drive(ground);
+  drive.by(200, true);
+  drive.by(400);
+  drive.by(-450);  // at x = 15 m, the last correction 85 m ago: only what it drives now
+  EXPECT_LT(ground.known_m({-0.3, 0.0}, 1.0), 0.1);
+}
+
+/// A robot that backs out of a tunnel leaves its tracks a little.
+TEST(BlindSideMemory, KnowsWhatItSawBesideThePathWhenItComesBack) {
+  BlindSideMemory ground(Vehicle{}, LaserMount{});
+  const auto move = [&](int steps, double y_m) {
+    ground.move_to({0.1 * steps, y_m, 0.0});
+    LaserPoints walls;  // 2 m to each side, seen ahead only
+    for (int i = 1; i < 90; ++i) {
+      const double x = 2.0 / std::tan(std::numbers::pi * i / 180.0);
+      walls.p_body.emplace_back(x, -2.0);
+      walls.p_body.emplace_back(x, 2.0);
+    }
+    ground.observe(walls);
+  };
+  for (int i = 0; i <= 300; ++i) move(i, 0.0);
+  for (int i = 300; i >= 50; --i) move(i, 0.3);
+  EXPECT_EQ(ground.known_m({-0.3, 0.0}, 2.0), 2.0);
+}
+
+/// What was driven more than 10 m ago keeps its place in map where odom moves in it.
+TEST(BlindSideMemory, MovesWithTheMap) {
+  BlindSideMemory ground(Vehicle{}, LaserMount{});
+  Drive drive(ground);
+  drive.by(200, true);
+  drive.correction.T_map_odom = {0.0, 0.2, 0.0};
+  ground.correct(drive.correction);
+  // The older part lies 0.2 m to the right in odom: a vehicle that keeps straight leaves it.
+  EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 5.0), 5.0, 1e-9);
+  drive.by(-60);
+  EXPECT_NEAR(ground.known_m({-0.3, 0.0}, 5.0), 4.0, 0.15);
+}
+
+TEST(BlindSideMemory, ForgetsWhatALargeCorrectionOrAnotherOdomFrameMoves) {
+  for (const bool is_large : {true, false}) {
+    BlindSideMemory ground(Vehicle{}, LaserMount{});
+    Drive drive(ground);
+    drive.by(200, true);
+    drive.by(-80);
+    EXPECT_EQ(ground.known_m({-0.3, 0.0}, 5.0), 5.0);
+    drive.correction.T_map_odom = {is_large ? 0.4 : 0.01, 0.0, 0.0};
+    drive.correction.session = is_large ? 0 : 1;
+    ground.correct(drive.correction);  // 28 m driven: what was driven up to 18 m is forgotten
+    EXPECT_EQ(ground.known_m({0.3, 0.0}, 5.0), 5.0);
+    EXPECT_LT(ground.known_m({-0.3, 0.0}, 5.0), 0.1) << is_large;
+  }
 }
 
 /// The last footprint that was added is a few centimetres behind: those ahead of it are no unknown

@@ -40,6 +40,37 @@ TEST(TerrainMemoryLimits, ToAndFroRemembersUntilOdomHasDrifted) {
   }
 }
 
+/// Mapping places in map what was seen long ago: odom may drift.
+TEST(TerrainMemoryLimits, RemembersWhatMapHasPlacedSince) {
+  for (const bool with_map : {false, true}) {
+    ScanningVehicle vehicle(kFirst);
+    vehicle.scan(add_tunnel);
+    for (const double x_m : {20.0, 40.0, 60.0, 40.0, 20.0, 0.0}) {
+      vehicle.drive_to({x_m, 0.0, 0.0});
+      if (with_map) vehicle.memory().correct({});
+    }
+    const TerrainMap map = vehicle.scan(add_tunnel);
+    EXPECT_EQ(vehicle.memory().recall_result().used, with_map ? 1 : 0);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), with_map ? 1.0 : 0.0);
+  }
+}
+
+/// Where odom has drifted between a scan and now, a correction moves the scan in odom, but not what
+/// the newest local maps hold.
+TEST(TerrainMemoryLimits, AMapCorrectionMovesOldScans) {
+  const Pose2 drift{0.0, 0.5, 0.0};
+  for (const bool is_old : {false, true}) {
+    ScanningVehicle vehicle(kFirst);
+    vehicle.scan(add_tunnel, false, 0.0, drift);
+    if (is_old) vehicle.drive_to({12.0, 0.0, 0.0});
+    vehicle.drive_to(kHere);
+    vehicle.memory().correct(drift.inverse());
+    vehicle.scan(add_tunnel);
+    EXPECT_EQ(vehicle.memory().recall_result().used, is_old ? 1 : 0);
+    EXPECT_EQ(vehicle.memory().recall_result().rejected, is_old ? 0 : 1);
+  }
+}
+
 /// A circle of 20 m ends where it began in plan, and may have led to another level.
 TEST(TerrainMemoryLimits, AFullCircleMayLeadToAnotherLevel) {
   ScanningVehicle vehicle(kHere);

@@ -2,11 +2,13 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# emulated_mission.sh BUILD OUT [WORLD [PATH_LENGTH_MAX_M]]
-# A mission of the robot of deploy/config/skid_steered.yaml in real time, with the processes of a real one: supervisor, guard,
-# stages, and the drivers of its laser (SCIP, TCP), base, tilt servo and IMU (pseudo-terminals). Behind these are emulated devices
-# in the world of a simulator, which has a bus of its own: nothing but the bytes on those lines joins both. The mission starts by
-# order. Prints what the robot says in the end and what is true; exit code 0 if it says that it is home and is within 0.5 m.
+# emulated_mission.sh BUILD OUT [WORLD [PATH_LENGTH_MAX_M [ROBOT]]]
+# A mission in real time with the processes of a real robot: supervisor, guard, stages, and drivers of its devices. Behind these
+# are emulated devices in the world of a simulator, which has a bus of its own: nothing but the bytes on their lines joins both.
+# ROBOT: skid_steered, that of deploy/config/skid_steered.yaml, with a laser by TCP (SCIP), base, tilt servo and IMU on
+# pseudo-terminals; two_sicks, that of deploy/config/robot.yaml on a skid-steered base, with two LMS-200 and two servos on
+# pseudo-terminals, too. The mission starts by order. Prints what the robot says in the end and what is true; exit code 0 if it
+# says that it is home and is within 0.5 m.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 root=$(readlink -f "$here/../../..")
@@ -14,10 +16,16 @@ kFromStartMaxM=0.5
 kDeadlineS=${EMULATED_MISSION_SECONDS:-300}
 kSimUrl='udpm://239.255.76.68:7668?ttl=0'
 
-(($# >= 2)) || { echo "usage: emulated_mission.sh BUILD OUT [WORLD [PATH_LENGTH_MAX_M]]" >&2; exit 2; }
+(($# >= 2)) || { echo "usage: emulated_mission.sh BUILD OUT [WORLD [PATH_LENGTH_MAX_M [ROBOT]]]" >&2; exit 2; }
 build=$(readlink -f "$1"); mkdir -p "$2"; out=$(readlink -f "$2"); world=${3:-$here/../bent_tunnel.yaml}; path_max_m=${4:-500}
+robot=${5:-skid_steered}
+case $robot in
+  skid_steered) config=$root/deploy/config/skid_steered.yaml; track_m=0.54; sides="front" ;;
+  two_sicks) config=$root/deploy/config/robot.yaml; track_m=0.95; sides="front rear" ;;
+  *) echo "emulated_mission.sh: unknown robot $robot: skid_steered or two_sicks" >&2; exit 2 ;;
+esac
 if [[ ${IN_PRIVATE_NETWORK:-} != 1 ]]; then
-  IN_PRIVATE_NETWORK=1 exec "$here/../in_private_network.sh" "$0" "$build" "$out" "$world" "$path_max_m"
+  IN_PRIVATE_NETWORK=1 exec "$here/../in_private_network.sh" "$0" "$build" "$out" "$world" "$path_max_m" "$robot"
 fi
 export PATH=$build/bin:$root/deploy/bin:$PATH
 trap 'kill $(jobs -p) 2>/dev/null; wait' EXIT
@@ -29,18 +37,35 @@ await() {  # WHAT SECONDS CONDITION..
   fail "$what"
 }
 
+# The parameters that devices and stages share. That of two SICKs has its files elsewhere, and sections that are made here.
+shared_configuration() {
+  if [[ $robot == skid_steered ]]; then
+    sed -e "/^scan_assembly:/a\\  journal: $out/scan_assembly.journal" \
+      -e "/^mission:/a\\  journal: $out/mission.journal\n  start: on_order" \
+      -e "s/^  limits:/&\n    path_length_max_m: $path_max_m/" \
+      -e "/^exploration:/a\\  journal: $out/exploration.journal" "$config"
+    echo "mapping: {journal: $out/mapping.journal}"
+    echo "volume_map: {journal: $out/volume_map.journal}"
+    echo "guard: {require_supervisor: true}"
+  else
+    sed -e "s#/var/lib/adit#$out#" -e "s/\(path_length_max_m:\).*/\1 $path_max_m/" -e "s/steering: four_wheel/steering: skid/" \
+      -e '/^supervisor:/,$d' "$config"
+  fi
+}
+
 configuration() {
-  sed -e "/^scan_assembly:/a\\  journal: $out/scans.journal" \
-    -e "/^mission:/a\\  journal: $out/mission.journal\n  start: on_order" \
-    -e "s/^  limits:/&\n    path_length_max_m: $path_max_m/" "$root/deploy/config/skid_steered.yaml"
+  local side
+  shared_configuration
+  for side in $sides; do
+    if [[ $robot == skid_steered ]]; then
+      echo "scip_$side: {device: \"$(cat "$out/laser_$side")\"}"
+    else
+      echo "sick_lms2xx_$side: {device: $out/laser_$side, baud: 500000, field_of_view_deg: 180, angle_step_deg: 0.5}"
+    fi
+    echo "tilt_$side: {device: $out/servo_$side, angle_min_rad: -0.6, angle_max_rad: 1.0, rate_max_rad_s: 2, acceleration_rad_s2: 10}"
+  done
   cat <<YAML
-mapping: {journal: $out/map.journal}
-volume_map: {journal: $out/volume.journal}
-exploration: {journal: $out/exploration.journal}
-guard: {require_supervisor: true}
-scip_front: {device: "$(cat "$out/laser")"}
-tilt_front: {device: $out/servo, angle_min_rad: -0.6, angle_max_rad: 1.0, rate_max_rad_s: 2, acceleration_rad_s2: 10}
-base_serial: {device: $out/base, ticks_per_m: 5000, track_width_m: 0.54, wheel_speed_max_m_s: 1}
+base_serial: {device: $out/base, ticks_per_m: 5000, track_width_m: $track_m, wheel_speed_max_m_s: 1}
 imu_vectornav: {device: $out/imu, roll_deg: 180}
 supervisor: {processes: $out/robot.cfg, deputy_id: robot, start_script: start_all, socket: $out/supervisor.sock, log_dir: $out/log}
 YAML
@@ -48,11 +73,13 @@ YAML
 
 # The list of the robot with its drivers, and without a guard, which is a service of its own.
 processes() {
-  local name
+  local driver drivers=("base_serial:VEHICLE_STATE" "imu_vectornav:IMU") laser=sick_lms2xx side
+  [[ $robot == skid_steered ]] && laser=scip
+  for side in $sides; do drivers+=("$laser $side:LASER_${side^^}" "tilt $side:TILT_${side^^}"); done
   echo 'group "drivers" {'
-  for name in "scip front:LASER_FRONT" "tilt front:TILT_FRONT" "base_serial:VEHICLE_STATE" "imu_vectornav:IMU"; do
-    echo "  cmd \"${name%%[ :]*}\" { exec = \"adit-${name%:*}\"; auto_respawn = \"true\"; stop_signal = 15; stop_time_allowed = 2;"
-    echo "    alive_channel = \"${name#*:}\"; alive_rate_hz = 15; start_timeout_s = 60; }"
+  for driver in "${drivers[@]}"; do
+    echo "  cmd \"$(tr ' ' '_' <<<"${driver%:*}")\" { exec = \"adit-${driver%:*}\"; auto_respawn = \"true\"; stop_signal = 15;"
+    echo "    stop_time_allowed = 2; alive_channel = \"${driver#*:}\"; alive_rate_hz = 15; start_timeout_s = 60; }"
   done
   echo '}'
   sed -e '/^group "drivers"/,/^}/d' -e "s#/var/lib/adit/log#$out/log#" "$root/deploy/processes/robot.cfg"
@@ -61,11 +88,12 @@ processes() {
 # The order to resume changes nothing; its answer is the reason of the present phase.
 says_home() { said=$(adit order resume --timeout-s 0.5 2>&1 | tail -n 1); [[ $said == *"the robot is at home"* ]]; }
 
-rm -f "$out"/{laser,*.journal}; mkdir -p "$out/log"
+rm -f "$out"/{ready,*.journal}; mkdir -p "$out/log"
+shared_configuration >"$out/sim.yaml"
 emulated_robot=$build/tests/emulated_robot
-"$emulated_robot" "$kSimUrl" "$out" >"$out/emulated.text" 2>&1 & emulated=$!
-adit-sim "$world" --config "$root/deploy/config/skid_steered.yaml" --lcm-url "$kSimUrl" >"$out/sim.text" 2>&1 &
-await "the emulated devices do not start" 30 test -s "$out/laser"
+"$emulated_robot" "$kSimUrl" "$out" "$robot" >"$out/emulated.text" 2>&1 & emulated=$!
+adit-sim "$world" --config "$out/sim.yaml" --lcm-url "$kSimUrl" >"$out/sim.text" 2>&1 &
+await "the emulated devices do not start" 30 test -s "$out/ready"
 configuration >"$out/robot.yaml"
 processes >"$out/robot.cfg"
 adit-guard --config "$out/robot.yaml" >"$out/guard.text" 2>&1 &

@@ -1,66 +1,111 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// emulated_robot SIM_LCM_URL FOLDER
+// emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks
 //
-// The devices of the robot of deploy/config/skid_steered.yaml in the world of a simulator that runs
-// in real time: emulators of a UTM-30LX by TCP, and of a base, a servo and an IMU on
-// pseudo-terminals, FOLDER/base, servo and imu. They measure what the simulator says on its own
-// bus, and what they are told moves the simulated robot. FOLDER/laser contains the address of the
-// laser, once the simulator runs. Ends with SIGTERM and prints what was not right.
+// The devices of a robot in the world of a simulator that runs in real time: emulators of lasers,
+// and of a base, servos and an IMU on pseudo-terminals in FOLDER. They measure what the simulator
+// says on its own bus, and what they are told moves the simulated robot. FOLDER/ready exists once
+// they are on. Ends with SIGTERM and prints what was not right.
+//
+// skid_steered: deploy/config/skid_steered.yaml with a UTM-30LX by TCP, whose address is in
+// FOLDER/laser_front, and servo_front. two_sicks: deploy/config/robot.yaml on a skid-steered base,
+// with two LMS-200 on laser_front and laser_rear, servo_front and servo_rear. Both: base, imu.
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "tests/live/drivers/emulated_laser.hpp"
 #include "tests/live/drivers/simulated_robot.hpp"
 #include "tests/support/devices/base_emulator.hpp"
 #include "tests/support/devices/imu_emulator.hpp"
 #include "tests/support/devices/servo_emulator.hpp"
 #include "tests/support/lasers/pty_line.hpp"
-#include "tests/support/lasers/scip_emulator.hpp"
-#include "tests/support/lasers/tcp_laser.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kTrackM = 0.54;
 constexpr double kTicksPerM = 5000.0;
 constexpr double kTicksPerRad = 4096.0 / (2.0 * std::numbers::pi);
 constexpr double kLevelTicks = 2048.0;
-constexpr std::int64_t kScanPeriodUs = 25'000;
 constexpr std::int64_t kCommandPeriodUs = 20'000;
-constexpr std::int64_t kScanOffMaxUs = 100;
 
 std::atomic<bool> ends{false};
 
-/// The mirror turns freely from power on: at this time, or a little later, so that scans begin when
-/// those of the simulator do.
-std::int64_t power_on_in_phase(std::int64_t utime, std::int64_t scan_utime) {
-  const std::int64_t off_us = (scan_utime - utime - ScipEmulator::kFirstScanUs) % kScanPeriodUs;
-  return utime + (off_us < 0 ? off_us + kScanPeriodUs : off_us);
+struct RobotKind {
+  double track_m = 0.0;
+  std::vector<LaserId> lasers;
+  bool has_sicks = false;
+};
+
+RobotKind robot_kind(const std::string& name) {
+  if (name == "skid_steered") return {0.54, {LaserId::kFront}, false};
+  if (name == "two_sicks") return {0.95, {LaserId::kFront, LaserId::kRear}, true};
+  throw std::invalid_argument("unknown robot " + name + ": skid_steered or two_sicks");
 }
+
+const char* name_of(LaserId laser) { return laser == LaserId::kFront ? "front" : "rear"; }
+
+/// A servo on a pseudo-terminal, which tilts a laser of the simulated robot.
+class EmulatedServo {
+ public:
+  EmulatedServo(SimulatedRobot& robot, LaserId id, const std::filesystem::path& link)
+      : robot_(robot),
+        id_(id),
+        servo_({.moved_position =
+                    [this](std::int64_t utime) {
+                      return kLevelTicks + robot_.tilt_rad(id_, utime) * kTicksPerRad;
+                    }}),
+        line_(link, servo_) {}
+
+  void power_on(std::int64_t now) { servo_.power_on(now); }
+  void step(std::int64_t now) { line_.step(now); }
+  void command() {
+    if (servo_.torque())
+      robot_.tilt(id_, (servo_.goal() - kLevelTicks) / kTicksPerRad,
+                  servo_.rate_max_ticks_s() / kTicksPerRad);
+  }
+
+ private:
+  SimulatedRobot& robot_;
+  LaserId id_;
+  ServoEmulator servo_;
+  PtyLaser<ServoEmulator> line_;
+};
 
 class EmulatedRobot {
  public:
-  EmulatedRobot(const std::string& sim_url, const std::filesystem::path& folder)
-      : robot_(sim_url, kTrackM),
+  EmulatedRobot(const std::string& sim_url, const std::filesystem::path& folder,
+                const RobotKind& kind)
+      : robot_(sim_url, kind.track_m, kind.lasers.size()),
         base_({.moved_ticks = [this](std::int64_t utime) { return ticks(utime); }}),
-        servo_({.moved_position = [this](std::int64_t utime) { return position(utime); }}),
         imu_({}, [this](int /*number*/) { return motion(); }),
-        laser_({.has_baud = false}, [this](int scan, int step) { return distance_mm(scan, step); }),
         base_line_(folder / "base", base_),
-        servo_line_(folder / "servo", servo_),
         imu_line_(folder / "imu", imu_),
-        laser_line_(laser_),
-        address_file_(folder / "laser") {}
+        ready_file_(folder / "ready") {
+    for (const LaserId id : kind.lasers) {
+      servos_.push_back(std::make_unique<EmulatedServo>(
+          robot_, id, folder / fmt::format("servo_{}", name_of(id))));
+      const std::filesystem::path laser = folder / fmt::format("laser_{}", name_of(id));
+      if (kind.has_sicks) {
+        lasers_.push_back(std::make_unique<EmulatedSick>(robot_, id, laser));
+      } else {
+        lasers_.push_back(std::make_unique<EmulatedHokuyo>(robot_, id, laser));
+      }
+    }
+  }
 
   void step() {
     robot_.step();
@@ -68,17 +113,23 @@ class EmulatedRobot {
     if (!now) return;
     if (!is_on_) power_on(*now);
     base_line_.step(*now);
-    servo_line_.step(*now);
     imu_line_.step(*now);
-    laser_line_.step(*now);
+    for (const auto& servo : servos_) servo->step(*now);
+    for (const auto& laser : lasers_) laser->step(*now);
     if (*now < next_command_us_) return;
     next_command_us_ = *now + kCommandPeriodUs;
     command();
   }
 
   void print() const {
-    fmt::print("scans {}, of them without one of the simulator {}; drive commands {}\n", scans_,
-               missing_, base_.drives());
+    int scans = 0;
+    int missing = 0;
+    for (const auto& laser : lasers_) {
+      scans += laser->scans();
+      missing += laser->missing();
+    }
+    fmt::print("scans {}, of them without one of the simulator {}; drive commands {}\n", scans,
+               missing, base_.drives());
     fmt::print("{:.2f} m from the start by the truth, after {:.1f} m\n", robot_.true_distance_m(),
                robot_.true_travel_m());
   }
@@ -87,10 +138,10 @@ class EmulatedRobot {
   void power_on(std::int64_t now) {
     is_on_ = true;
     base_.power_on(now);
-    servo_.power_on(now);
     imu_.power_on(now);
-    laser_.power_on(power_on_in_phase(now, robot_.scan(now)->utime));
-    std::ofstream(address_file_) << laser_line_.address() << "\n";
+    for (const auto& servo : servos_) servo->power_on(now);
+    for (const auto& laser : lasers_) laser->power_on(now);
+    std::ofstream(ready_file_) << "ready\n";
   }
 
   void command() {
@@ -98,17 +149,12 @@ class EmulatedRobot {
     const bool stands = base_.is_expired() || base_.brakes();
     robot_.drive(stands ? 0.0 : targets[0] / kTicksPerM, stands ? 0.0 : targets[1] / kTicksPerM,
                  base_.brakes());
-    if (servo_.torque())
-      robot_.tilt((servo_.goal() - kLevelTicks) / kTicksPerRad,
-                  servo_.rate_max_ticks_s() / kTicksPerRad);
+    for (const auto& servo : servos_) servo->command();
   }
 
   [[nodiscard]] std::array<double, 2> ticks(std::int64_t utime) const {
     const auto travel_m = robot_.travel_m(utime);
     return {travel_m[0] * kTicksPerM, travel_m[1] * kTicksPerM};
-  }
-  [[nodiscard]] double position(std::int64_t utime) const {
-    return kLevelTicks + robot_.tilt_rad(utime) * kTicksPerRad;
   }
   /// The unit is mounted upside down: y to the right, z downwards.
   [[nodiscard]] std::array<double, 6> motion() const {
@@ -116,45 +162,29 @@ class EmulatedRobot {
     return {m[0], -m[1], -m[2], m[3], -m[4], -m[5]};
   }
 
-  [[nodiscard]] std::uint32_t distance_mm(int scan, int step) {
-    if (step == 0) {
-      const std::int64_t utime = laser_.scan_start(scan);
-      seen_ = robot_.scan(utime);
-      ++scans_;
-      if (std::abs(seen_->utime - utime) > kScanOffMaxUs) ++missing_;
-    }
-    return static_cast<std::uint32_t>(
-        std::lround(1e3F * seen_->ranges_m.at(static_cast<std::size_t>(step))));
-  }
-
   SimulatedRobot robot_;
   BaseEmulator base_;
-  ServoEmulator servo_;
   ImuEmulator imu_;
-  ScipEmulator laser_;
   PtyLaser<BaseEmulator> base_line_;
-  PtyLaser<ServoEmulator> servo_line_;
   PtyLaser<ImuEmulator> imu_line_;
-  TcpLaser<ScipEmulator> laser_line_;
-  std::filesystem::path address_file_;
-  const LaserScan* seen_ = nullptr;
+  std::vector<std::unique_ptr<EmulatedServo>> servos_;
+  std::vector<std::unique_ptr<EmulatedLaser>> lasers_;
+  std::filesystem::path ready_file_;
   bool is_on_ = false;
   std::int64_t next_command_us_ = 0;
-  int scans_ = 0;
-  int missing_ = 0;
 };
 
 }  // namespace
 }  // namespace adit
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: emulated_robot SIM_LCM_URL FOLDER\n";
+  if (argc != 4) {
+    std::cerr << "usage: emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks\n";
     return 2;
   }
   std::signal(SIGTERM, [](int) { adit::ends = true; });
   try {
-    adit::EmulatedRobot robot(argv[1], argv[2]);
+    adit::EmulatedRobot robot(argv[1], argv[2], adit::robot_kind(argv[3]));
     while (!adit::ends) {
       robot.step();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

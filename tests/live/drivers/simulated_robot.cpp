@@ -19,19 +19,15 @@ namespace {
 constexpr std::int64_t kLateUs = 60'000;  // of a message of the simulator, at most
 constexpr std::size_t kScansMax = 40;
 constexpr double kStandsMS = 1e-3;
+constexpr std::size_t kQueue = 1000;
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m)
-    : bus_({.url = lcm_url}), track_m_(track_m) {
-  constexpr std::size_t kQueue = 1000;
+SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m, std::size_t lasers)
+    : bus_({.url = lcm_url}), track_m_(track_m), ends_(lasers) {
+  for (std::size_t i = 0; i < lasers; ++i) subscribe_laser(static_cast<LaserId>(i));
   subscribe<wheel_odometry_t>(bus_, channels::kWheelOdometry, Delivery::queued(kQueue),
                               [this](const WheelOdometry& odometry) { handle(odometry); });
-  subscribe<tilt_t>(bus_, channels::kTiltFront, Delivery::queued(kQueue),
-                    [this](const TiltReading& reading) {
-                      note(reading.utime);
-                      tilt_.add(reading.utime, {reading.angle_rad});
-                    });
   subscribe<imu_t>(bus_, channels::kImu, Delivery::queued(kQueue),
                    [this](const ImuReading& reading) {
                      const Eigen::Vector3d& a = reading.linear_acceleration;
@@ -46,11 +42,21 @@ SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m)
                       if (!first_place_) first_place_ = place;
                       last_place_ = place;
                     });
-  subscribe<planar_lidar_t>(bus_, channels::kLaserFront, Delivery::queued(kQueue),
-                            [this](const LaserScan& scan) {
+}
+
+void SimulatedRobot::subscribe_laser(LaserId laser) {
+  End& end = ends_.at(static_cast<std::size_t>(laser));
+  const bool is_front = laser == LaserId::kFront;
+  subscribe<tilt_t>(bus_, is_front ? channels::kTiltFront : channels::kTiltRear,
+                    Delivery::queued(kQueue), [this, &end](const TiltReading& reading) {
+                      note(reading.utime);
+                      end.tilt.add(reading.utime, {reading.angle_rad});
+                    });
+  subscribe<planar_lidar_t>(bus_, is_front ? channels::kLaserFront : channels::kLaserRear,
+                            Delivery::queued(kQueue), [this, &end](const LaserScan& scan) {
                               note(scan.utime);
-                              scans_.push_back(scan);
-                              if (scans_.size() > kScansMax) scans_.pop_front();
+                              end.scans.push_back(scan);
+                              if (end.scans.size() > kScansMax) end.scans.pop_front();
                             });
 }
 
@@ -84,15 +90,17 @@ void SimulatedRobot::handle(const WheelOdometry& odometry) {
 }
 
 std::optional<std::int64_t> SimulatedRobot::now() const {
-  if (travel_history_.empty() || tilt_.empty() || motion_.empty() || scans_.empty())
+  const auto is_silent = [](const End& end) { return end.tilt.empty() || end.scans.empty(); };
+  if (travel_history_.empty() || motion_.empty() || std::ranges::any_of(ends_, is_silent))
     return std::nullopt;
   return wall_utime() - *behind_us_ - kLateUs;
 }
 
-const LaserScan* SimulatedRobot::scan(std::int64_t utime) const {
+const LaserScan* SimulatedRobot::scan(LaserId laser, std::int64_t utime) const {
+  const std::deque<LaserScan>& scans = end_of(laser).scans;
   const auto off_us = [utime](const LaserScan& scan) { return std::abs(scan.utime - utime); };
-  const auto nearest = std::ranges::min_element(scans_, {}, off_us);
-  return nearest == scans_.end() ? nullptr : &*nearest;
+  const auto nearest = std::ranges::min_element(scans, {}, off_us);
+  return nearest == scans.end() ? nullptr : &*nearest;
 }
 
 void SimulatedRobot::drive(double left_m_s, double right_m_s, bool stopped) {
@@ -105,8 +113,8 @@ void SimulatedRobot::drive(double left_m_s, double right_m_s, bool stopped) {
           to_message(StopOrder{last_utime_, stopped, stopped ? "the base brakes" : ""}));
 }
 
-void SimulatedRobot::tilt(double goal_rad, double rate_max_rad_s) {
-  publish(bus_, channels::kTiltCommandFront,
+void SimulatedRobot::tilt(LaserId laser, double goal_rad, double rate_max_rad_s) {
+  publish(bus_, laser == LaserId::kFront ? channels::kTiltCommandFront : channels::kTiltCommandRear,
           to_message(TiltCommand{last_utime_, goal_rad, rate_max_rad_s}));
 }
 

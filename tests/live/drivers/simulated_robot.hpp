@@ -8,6 +8,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -59,8 +60,8 @@ class History {
 class SimulatedRobot {
  public:
   /// `track_m`: between the sides of the vehicle, by which a turn is a difference of their
-  /// distances.
-  SimulatedRobot(const std::string& lcm_url, double track_m);
+  /// distances. `lasers`: one at the front, or two.
+  SimulatedRobot(const std::string& lcm_url, double track_m, std::size_t lasers);
 
   /// Handles messages that have arrived.
   void step();
@@ -72,11 +73,13 @@ class SimulatedRobot {
   [[nodiscard]] std::array<double, 2> travel_m(std::int64_t utime) const {
     return travel_history_.at(utime);
   }
-  [[nodiscard]] double tilt_rad(std::int64_t utime) const { return tilt_.at(utime)[0]; }
+  [[nodiscard]] double tilt_rad(LaserId laser, std::int64_t utime) const {
+    return end_of(laser).tilt.at(utime)[0];
+  }
   /// Accelerations [m/s²], then rates [rad/s], in the body frame.
   [[nodiscard]] std::array<double, 6> motion(std::int64_t utime) const { return motion_.at(utime); }
   /// The scan whose first beam is nearest to a time; null without scans.
-  [[nodiscard]] const LaserScan* scan(std::int64_t utime) const;
+  [[nodiscard]] const LaserScan* scan(LaserId laser, std::int64_t utime) const;
 
   /// True distance driven so far and distance from its begin, in plan [m].
   [[nodiscard]] double true_travel_m() const { return true_travel_m_; }
@@ -84,9 +87,18 @@ class SimulatedRobot {
 
   /// Publishes what the base and the servo were told.
   void drive(double left_m_s, double right_m_s, bool stopped);
-  void tilt(double goal_rad, double rate_max_rad_s);
+  void tilt(LaserId laser, double goal_rad, double rate_max_rad_s);
 
  private:
+  struct End {
+    History<1> tilt;
+    std::deque<LaserScan> scans;
+  };
+
+  [[nodiscard]] const End& end_of(LaserId laser) const {
+    return ends_.at(static_cast<std::size_t>(laser));
+  }
+  void subscribe_laser(LaserId laser);
   void handle(const WheelOdometry& odometry);
   void note(std::int64_t utime);
 
@@ -95,9 +107,8 @@ class SimulatedRobot {
   std::optional<WheelOdometry> last_;
   std::array<double, 2> travel_m_{};
   History<2> travel_history_;
-  History<1> tilt_;
   History<6> motion_;
-  std::deque<LaserScan> scans_;
+  std::vector<End> ends_;  ///< by LaserId
   std::optional<Eigen::Vector2d> first_place_;
   Eigen::Vector2d last_place_ = Eigen::Vector2d::Zero();
   double true_travel_m_ = 0.0;

@@ -46,7 +46,7 @@ void LmsEmulator::power_on(std::int64_t utime) {
   booted_ = utime + std::llround(1e6 * params_.boot_s);
   mode_ = Mode::kOnRequest;
   baud_ = params_.baud_after_power_on;
-  mirror_zero_ = utime + 4321;  // any phase
+  mirror_zero_ = utime + kFirstScanUs;  // any phase
   next_scan_ = 0;
   line_free_ = utime;
   input_.clear();

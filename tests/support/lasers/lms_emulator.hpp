@@ -28,6 +28,9 @@ class LmsEmulator {
     double processing_s = 0.0;   ///< from the last beam to the first byte
   };
 
+  /// Time of the first scan behind power on [µs].
+  static constexpr std::int64_t kFirstScanUs = 4321;
+
   /// Reading of a beam, 13 bits. `scan`: number of the scan.
   using Reading = std::function<std::uint16_t(int scan, int beam)>;
 

@@ -7,7 +7,7 @@
 # are emulated devices in the world of a simulator, which has a bus of its own: nothing but the bytes on their lines joins both.
 # ROBOT: skid_steered, that of deploy/config/skid_steered.yaml, with a laser by TCP (SCIP), base, tilt servo and IMU on
 # pseudo-terminals; two_sicks, that of deploy/config/robot.yaml on a skid-steered base, with two LMS-200 and two servos on
-# pseudo-terminals, too. The mission starts by order. Prints what the robot says in the end and what is true; exit code 0 if it
+# pseudo-terminals, too; spinning_lidar, that of deploy/config/spinning_lidar.yaml, with a VLP-16 by UDP. The mission starts by order. Prints what the robot says in the end and what is true; exit code 0 if it
 # says that it is home and is within 0.5 m.
 set -u
 here=$(dirname "$(readlink -f "$0")")
@@ -22,7 +22,8 @@ robot=${5:-skid_steered}
 case $robot in
   skid_steered) config=$root/deploy/config/skid_steered.yaml; track_m=0.54; sides="front" ;;
   two_sicks) config=$root/deploy/config/robot.yaml; track_m=0.95; sides="front rear" ;;
-  *) echo "emulated_mission.sh: unknown robot $robot: skid_steered or two_sicks" >&2; exit 2 ;;
+  spinning_lidar) config=$root/deploy/config/spinning_lidar.yaml; track_m=0.44; sides="" ;;
+  *) echo "emulated_mission.sh: unknown robot $robot: skid_steered, two_sicks or spinning_lidar" >&2; exit 2 ;;
 esac
 if [[ ${IN_PRIVATE_NETWORK:-} != 1 ]]; then
   IN_PRIVATE_NETWORK=1 exec "$here/../in_private_network.sh" "$0" "$build" "$out" "$world" "$path_max_m" "$robot"
@@ -37,25 +38,27 @@ await() {  # WHAT SECONDS CONDITION..
   fail "$what"
 }
 
-# The parameters that devices and stages share. That of two SICKs has its files elsewhere, and sections that are made here.
+# The parameters that devices and stages share. Each revolution of a lidar is simulated with all rings.
 shared_configuration() {
-  if [[ $robot == skid_steered ]]; then
-    sed -e "/^scan_assembly:/a\\  journal: $out/scan_assembly.journal" \
-      -e "/^mission:/a\\  journal: $out/mission.journal\n  start: on_order" \
-      -e "s/^  limits:/&\n    path_length_max_m: $path_max_m/" \
-      -e "/^exploration:/a\\  journal: $out/exploration.journal" "$config"
-    echo "mapping: {journal: $out/mapping.journal}"
-    echo "volume_map: {journal: $out/volume_map.journal}"
-    echo "guard: {require_supervisor: true}"
-  else
+  local section edits=()
+  if [[ $robot == two_sicks ]]; then
     sed -e "s#/var/lib/adit#$out#" -e "s/\(path_length_max_m:\).*/\1 $path_max_m/" -e "s/steering: four_wheel/steering: skid/" \
       -e '/^supervisor:/,$d' "$config"
+    return
   fi
+  for section in scan_assembly mission exploration mapping volume_map; do
+    if grep -q "^$section:" "$config"; then edits+=(-e "/^$section:/a\\  journal: $out/$section.journal")
+    else echo "$section: {journal: $out/$section.journal}"; fi
+  done
+  sed "${edits[@]}" -e "/^mission:/a\\  start: on_order" -e "s/^  limits:/&\n    path_length_max_m: $path_max_m/" \
+    -e "s/lidar: {rings: 16, /&decimation: 1, /" "$config"
+  echo "guard: {require_supervisor: true}"
 }
 
 configuration() {
   local side
   shared_configuration
+  [[ $robot == spinning_lidar ]] && echo 'velodyne_front: {device: "udp://127.0.0.1:2368", decimation: 4}'
   for side in $sides; do
     if [[ $robot == skid_steered ]]; then
       echo "scip_$side: {device: \"$(cat "$out/laser_$side")\"}"
@@ -75,6 +78,7 @@ YAML
 processes() {
   local driver drivers=("base_serial:VEHICLE_STATE" "imu_vectornav:IMU") laser=sick_lms2xx side
   [[ $robot == skid_steered ]] && laser=scip
+  [[ $robot == spinning_lidar ]] && drivers+=("velodyne front:LASER_FRONT")
   for side in $sides; do drivers+=("$laser $side:LASER_${side^^}" "tilt $side:TILT_${side^^}"); done
   echo 'group "drivers" {'
   for driver in "${drivers[@]}"; do

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks
+// emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks|spinning_lidar
 //
 // The devices of a robot in the world of a simulator that runs in real time: emulators of lasers,
 // and of a base, servos and an IMU on pseudo-terminals in FOLDER. They measure what the simulator
@@ -9,11 +9,13 @@
 //
 // skid_steered: deploy/config/skid_steered.yaml with a UTM-30LX by TCP, whose address is in
 // FOLDER/laser_front, and servo_front. two_sicks: deploy/config/robot.yaml on a skid-steered base,
-// with two LMS-200 on laser_front and laser_rear, servo_front and servo_rear. Both: base, imu.
+// with two LMS-200 on laser_front and laser_rear, servo_front and servo_rear. spinning_lidar:
+// deploy/config/spinning_lidar.yaml with a VLP-16 by UDP to port 2368. All: base, imu.
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +30,7 @@
 #include <fmt/format.h>
 
 #include "tests/live/drivers/emulated_laser.hpp"
+#include "tests/live/drivers/emulated_velodyne.hpp"
 #include "tests/live/drivers/simulated_robot.hpp"
 #include "tests/support/devices/base_emulator.hpp"
 #include "tests/support/devices/imu_emulator.hpp"
@@ -44,16 +47,11 @@ constexpr std::int64_t kCommandPeriodUs = 20'000;
 
 std::atomic<bool> ends{false};
 
-struct RobotKind {
-  double track_m = 0.0;
-  std::vector<LaserId> lasers;
-  bool has_sicks = false;
-};
-
-RobotKind robot_kind(const std::string& name) {
-  if (name == "skid_steered") return {0.54, {LaserId::kFront}, false};
-  if (name == "two_sicks") return {0.95, {LaserId::kFront, LaserId::kRear}, true};
-  throw std::invalid_argument("unknown robot " + name + ": skid_steered or two_sicks");
+RobotSensors sensors_of(const std::string& robot) {
+  if (robot == "skid_steered") return {0.54, 1, false};
+  if (robot == "two_sicks") return {0.95, 2, false};
+  if (robot == "spinning_lidar") return {0.44, 0, true};
+  throw std::invalid_argument("unknown robot " + robot);
 }
 
 const char* name_of(LaserId laser) { return laser == LaserId::kFront ? "front" : "rear"; }
@@ -88,18 +86,20 @@ class EmulatedServo {
 class EmulatedRobot {
  public:
   EmulatedRobot(const std::string& sim_url, const std::filesystem::path& folder,
-                const RobotKind& kind)
-      : robot_(sim_url, kind.track_m, kind.lasers.size()),
+                const RobotSensors& sensors)
+      : robot_(sim_url, sensors),
         base_({.moved_ticks = [this](std::int64_t utime) { return ticks(utime); }}),
         imu_({}, [this](int /*number*/) { return motion(); }),
         base_line_(folder / "base", base_),
         imu_line_(folder / "imu", imu_),
         ready_file_(folder / "ready") {
-    for (const LaserId id : kind.lasers) {
+    if (sensors.has_lidar) lasers_.push_back(std::make_unique<EmulatedVelodyne>(robot_));
+    for (std::size_t i = 0; i < sensors.tilting_lasers; ++i) {
+      const auto id = static_cast<LaserId>(i);
       servos_.push_back(std::make_unique<EmulatedServo>(
           robot_, id, folder / fmt::format("servo_{}", name_of(id))));
       const std::filesystem::path laser = folder / fmt::format("laser_{}", name_of(id));
-      if (kind.has_sicks) {
+      if (sensors.tilting_lasers == 2) {
         lasers_.push_back(std::make_unique<EmulatedSick>(robot_, id, laser));
       } else {
         lasers_.push_back(std::make_unique<EmulatedHokuyo>(robot_, id, laser));
@@ -179,12 +179,12 @@ class EmulatedRobot {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "usage: emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks\n";
+    std::cerr << "usage: emulated_robot SIM_LCM_URL FOLDER skid_steered|two_sicks|spinning_lidar\n";
     return 2;
   }
   std::signal(SIGTERM, [](int) { adit::ends = true; });
   try {
-    adit::EmulatedRobot robot(argv[1], argv[2], adit::robot_kind(argv[3]));
+    adit::EmulatedRobot robot(argv[1], argv[2], adit::sensors_of(argv[3]));
     while (!adit::ends) {
       robot.step();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -16,16 +16,28 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kLateUs = 60'000;  // of a message of the simulator, at most
+constexpr std::int64_t kLateUs = 60'000;        // of a message of the simulator, at most
+constexpr std::int64_t kLidarLateUs = 120'000;  // with a revolution, which is sent at its end
+constexpr std::size_t kRevolutionsMax = 10;
 constexpr std::size_t kScansMax = 40;
 constexpr double kStandsMS = 1e-3;
 constexpr std::size_t kQueue = 1000;
 
 }  // namespace
 
-SimulatedRobot::SimulatedRobot(const std::string& lcm_url, double track_m, std::size_t lasers)
-    : bus_({.url = lcm_url}), track_m_(track_m), ends_(lasers) {
-  for (std::size_t i = 0; i < lasers; ++i) subscribe_laser(static_cast<LaserId>(i));
+SimulatedRobot::SimulatedRobot(const std::string& lcm_url, const RobotSensors& sensors)
+    : bus_({.url = lcm_url}), sensors_(sensors), ends_(sensors.tilting_lasers) {
+  for (std::size_t i = 0; i < ends_.size(); ++i) subscribe_laser(static_cast<LaserId>(i));
+  if (sensors.has_lidar) {
+    subscribe<spinning_lidar_t>(bus_, channels::kLidar, Delivery::queued(kQueue),
+                                [this](const LidarFragment& fragment) {
+                                  auto revolution = lidar_fragments_.add(fragment);
+                                  if (!revolution) return;
+                                  revolutions_.push_back(std::move(*revolution));
+                                  if (revolutions_.size() > kRevolutionsMax)
+                                    revolutions_.pop_front();
+                                });
+  }
   subscribe<wheel_odometry_t>(bus_, channels::kWheelOdometry, Delivery::queued(kQueue),
                               [this](const WheelOdometry& odometry) { handle(odometry); });
   subscribe<imu_t>(bus_, channels::kImu, Delivery::queued(kQueue),
@@ -82,8 +94,8 @@ void SimulatedRobot::handle(const WheelOdometry& odometry) {
     const Pose2 motion = between(last_->T_wheel_body, odometry.T_wheel_body);
     const double turn = odometry.T_wheel_body.theta - last_->T_wheel_body.theta;
     const double ahead_m = std::copysign(std::hypot(motion.x, motion.y), motion.x);
-    travel_m_[0] += ahead_m - 0.5 * turn * track_m_;
-    travel_m_[1] += ahead_m + 0.5 * turn * track_m_;
+    travel_m_[0] += ahead_m - 0.5 * turn * sensors_.track_m;
+    travel_m_[1] += ahead_m + 0.5 * turn * sensors_.track_m;
   }
   last_ = odometry;
   travel_history_.add(odometry.utime, travel_m_);
@@ -93,7 +105,8 @@ std::optional<std::int64_t> SimulatedRobot::now() const {
   const auto is_silent = [](const End& end) { return end.tilt.empty() || end.scans.empty(); };
   if (travel_history_.empty() || motion_.empty() || std::ranges::any_of(ends_, is_silent))
     return std::nullopt;
-  return wall_utime() - *behind_us_ - kLateUs;
+  if (sensors_.has_lidar && revolutions_.empty()) return std::nullopt;
+  return wall_utime() - *behind_us_ - (sensors_.has_lidar ? kLidarLateUs : kLateUs);
 }
 
 const LaserScan* SimulatedRobot::scan(LaserId laser, std::int64_t utime) const {
@@ -103,9 +116,16 @@ const LaserScan* SimulatedRobot::scan(LaserId laser, std::int64_t utime) const {
   return nearest == scans.end() ? nullptr : &*nearest;
 }
 
+const LidarRevolution* SimulatedRobot::revolution(std::int64_t utime) const {
+  if (revolutions_.empty()) return nullptr;
+  const auto later = std::ranges::find_if(
+      revolutions_, [utime](const LidarRevolution& each) { return each.utime > utime; });
+  return later == revolutions_.begin() ? &revolutions_.front() : &*(later - 1);
+}
+
 void SimulatedRobot::drive(double left_m_s, double right_m_s, bool stopped) {
   const double speed_m_s = 0.5 * (left_m_s + right_m_s);
-  const double turn_rad_s = (right_m_s - left_m_s) / track_m_;
+  const double turn_rad_s = (right_m_s - left_m_s) / sensors_.track_m;
   const double curvature_1_m = std::abs(speed_m_s) < kStandsMS ? 0.0 : turn_rad_s / speed_m_s;
   publish(bus_, channels::kDriveCommand,
           to_message(DriveCommand{last_utime_, speed_m_s, curvature_1_m}));

@@ -13,7 +13,9 @@
 #include <Eigen/Core>
 
 #include "common/bus/lcm_bus.hpp"
+#include "common/messages/lidar.hpp"
 #include "common/sensing/laser_scan.hpp"
+#include "common/sensing/spinning_lidar.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
@@ -55,13 +57,18 @@ class History {
   std::deque<Sample> samples_;
 };
 
+/// The sensors of a robot that the simulator has beside wheels and IMU.
+struct RobotSensors {
+  double track_m = 0.0;  ///< between the sides of the vehicle: a turn is a difference of distances
+  std::size_t tilting_lasers = 0;  ///< one at the front, or two
+  bool has_lidar = false;          ///< a spinning lidar, each revolution of which is published
+};
+
 /// What the simulator on a bus of its own says about the sensors of the robot, and where it takes
 /// commands: the world of emulated devices.
 class SimulatedRobot {
  public:
-  /// `track_m`: between the sides of the vehicle, by which a turn is a difference of their
-  /// distances. `lasers`: one at the front, or two.
-  SimulatedRobot(const std::string& lcm_url, double track_m, std::size_t lasers);
+  SimulatedRobot(const std::string& lcm_url, const RobotSensors& sensors);
 
   /// Handles messages that have arrived.
   void step();
@@ -80,6 +87,10 @@ class SimulatedRobot {
   [[nodiscard]] std::array<double, 6> motion(std::int64_t utime) const { return motion_.at(utime); }
   /// The scan whose first beam is nearest to a time; null without scans.
   [[nodiscard]] const LaserScan* scan(LaserId laser, std::int64_t utime) const;
+
+  /// The last revolution that began at this time or earlier; the first known without one, null
+  /// without revolutions.
+  [[nodiscard]] const LidarRevolution* revolution(std::int64_t utime) const;
 
   /// True distance driven so far and distance from its begin, in plan [m].
   [[nodiscard]] double true_travel_m() const { return true_travel_m_; }
@@ -103,12 +114,14 @@ class SimulatedRobot {
   void note(std::int64_t utime);
 
   LcmBus bus_;
-  double track_m_;
+  RobotSensors sensors_;
   std::optional<WheelOdometry> last_;
   std::array<double, 2> travel_m_{};
   History<2> travel_history_;
   History<6> motion_;
   std::vector<End> ends_;  ///< by LaserId
+  LidarReassembler lidar_fragments_;
+  std::deque<LidarRevolution> revolutions_;
   std::optional<Eigen::Vector2d> first_place_;
   Eigen::Vector2d last_place_ = Eigen::Vector2d::Zero();
   double true_travel_m_ = 0.0;

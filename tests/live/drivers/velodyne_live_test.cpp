@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The process of the driver of a spinning lidar with an emulated one by UDP, and LCM.
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -11,14 +10,9 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <system_error>
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
@@ -28,6 +22,7 @@
 #include "common/messages/sensing.hpp"
 #include "common/service/wall_time.hpp"
 #include "tests/support/lasers/driver_process.hpp"
+#include "tests/support/lasers/udp_sender.hpp"
 #include "tests/support/lasers/vlp16_emulator.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -43,29 +38,6 @@ constexpr double kBusyLoopShare = 0.5;  // of a core
 double tunnel_m(double x, double y, double /*z*/) {
   return std::min(1.5 / std::max(1e-9, std::abs(x)), 25.0 / std::max(1e-9, std::abs(y)));
 }
-
-/// Sends datagrams to the driver.
-class UdpSender {
- public:
-  UdpSender() : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    if (socket_ < 0) throw std::system_error(errno, std::generic_category(), "socket");
-    to_.sin_family = AF_INET;
-    to_.sin_port = htons(kPort);
-    to_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  }
-  ~UdpSender() { close(socket_); }
-  UdpSender(const UdpSender&) = delete;
-  UdpSender& operator=(const UdpSender&) = delete;
-
-  void send(const std::vector<std::uint8_t>& bytes) {
-    sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to_),
-           sizeof to_);
-  }
-
- private:
-  int socket_;
-  sockaddr_in to_{};
-};
 
 class LiveVelodyne {
  public:
@@ -152,7 +124,7 @@ class LiveVelodyne {
   }
 
   test::ScratchFolder folder_;
-  UdpSender sender_;
+  UdpSender sender_{kPort};
   LidarReassembler reassembler_;
   std::mt19937 random_{7};
   LcmBus bus_;

@@ -27,7 +27,7 @@ void Vlp16Emulator::power_on(std::int64_t now_us) {
   fired_us_ = static_cast<double>(*on_us_);
   stamp_offset_us_ = 0.0;
   azimuth_origin_us_ = fired_us_;
-  azimuth_origin_deg_ = 77.0;
+  azimuth_origin_deg_ = kFirstAzimuthDeg;
 }
 
 void Vlp16Emulator::set_rpm(double rpm) {
@@ -49,10 +49,10 @@ double Vlp16Emulator::azimuth_deg(double us) const {
 std::array<std::uint8_t, 48> Vlp16Emulator::fire(double us) const {
   std::array<std::uint8_t, 48> bytes{};
   for (std::size_t laser = 0; laser < 16; ++laser) {
-    const double alpha =
-        azimuth_deg(us + kOneLaserUs * static_cast<double>(laser)) * std::numbers::pi / 180.0;
+    const double fired_us = us + kOneLaserUs * static_cast<double>(laser);
+    const double alpha = azimuth_deg(fired_us) * std::numbers::pi / 180.0;
     const double omega = kVerticalDeg[laser] * std::numbers::pi / 180.0;
-    const double range_m = surrounding_(std::cos(omega) * std::sin(alpha),
+    const double range_m = surrounding_(fired_us, std::cos(omega) * std::sin(alpha),
                                         std::cos(omega) * std::cos(alpha), std::sin(omega));
     const long units = range_m < 0.0 || range_m > 131.0 ? 0 : std::lround(range_m / 0.002);
     bytes[3 * laser] = static_cast<std::uint8_t>(units & 0xFF);

@@ -33,9 +33,19 @@ class Vlp16Emulator {
   /// Range along a unit vector (x, y, z) of the frame of the manual: y along azimuth 0, x along
   /// 90°, z along the axis; negative for none [m].
   using Surrounding = std::function<double(double x, double y, double z)>;
+  /// The same of a surrounding that moves, at a time.
+  using MovingSurrounding = std::function<double(double us, double x, double y, double z)>;
 
-  Vlp16Emulator(const Model& model, Surrounding surrounding)
+  /// Azimuth of the first firing, `Model::boot_s` after it is switched on.
+  static constexpr double kFirstAzimuthDeg = 77.0;
+
+  Vlp16Emulator(const Model& model, MovingSurrounding surrounding)
       : model_(model), surrounding_(std::move(surrounding)) {}
+  Vlp16Emulator(const Model& model, Surrounding surrounding)
+      : Vlp16Emulator(
+            model, [still = std::move(surrounding)](double /*us*/, double x, double y, double z) {
+              return still(x, y, z);
+            }) {}
 
   void power_on(std::int64_t now_us);
   void power_off() { on_us_.reset(); }
@@ -53,7 +63,7 @@ class Vlp16Emulator {
   Packet packet();
 
   Model model_;
-  Surrounding surrounding_;
+  MovingSurrounding surrounding_;
   std::optional<std::int64_t> on_us_;
   double fired_us_ = 0.0;  ///< time of the next firing
   double stamp_offset_us_ = 0.0;

@@ -92,6 +92,14 @@ struct MissionPhase {
   friend bool operator==(const MissionPhase&, const MissionPhase&) = default;
 };
 
+/// Distance travelled up to which a robot has not left the start [m].
+inline constexpr double kAtStartM = 0.3;
+
+/// Whether the robot ended where it was put down, without a path into the mine.
+inline bool never_left_start(const MissionPhase& last) {
+  return last.outcome == MissionOutcome::kHome && last.distance_travelled_m < kAtStartM;
+}
+
 /// An operator's order to the mission.
 struct MissionOrder {
   enum class Kind : std::int8_t {

@@ -41,11 +41,14 @@ CellBox cells_around(const Eigen::Vector2d& p_odom) {
   return {centre - reach, centre + reach + Eigen::Vector2i::Ones()};
 }
 
+bool is_apart(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
+  const Pose2 step = between(a, b);
+  return step.translation().norm() > by_m || std::abs(step.theta) > by_rad;
+}
+
 bool has_moved(const std::optional<Pose2>& from, const Pose2& to, double by_m = kMovedM,
                double by_rad = kTurnedRad) {
-  if (!from) return true;
-  const Pose2 step = between(*from, to);
-  return step.translation().norm() > by_m || std::abs(step.theta) > by_rad;
+  return !from || is_apart(*from, to, by_m, by_rad);
 }
 
 }  // namespace
@@ -99,6 +102,10 @@ void BlindSideMemory::observe(const LaserPoints& points) {
   if (!has_moved(T_odom_stored_, *T_odom_body_, kStoredM, kStoredRad)) return;
   T_odom_stored_ = T_odom_body_;
   add_place();
+  for (Place& place : places_) {
+    if (!is_apart(place.T_odom_body, *T_odom_body_, 0.5 * kStoredM, 0.5 * kStoredRad))
+      place.free_m = {};  // the new scan takes its place
+  }
   places_.back().free_m = free_by_bearing(points);
 }
 
@@ -161,9 +168,15 @@ bool BlindSideMemory::is_under_body(const Eigen::Vector2d& p_odom) const {
          std::abs(p_body.y()) <= 0.5 * vehicle_.width_m;
 }
 
+/// A new place replaces those that are the same but for a fraction of a cell: their number is
+/// bounded by the ground, not by how often it is driven.
 void BlindSideMemory::add_place() {
   if (!places_.empty())
     odometer_m_ += between(places_.back().T_odom_body, *T_odom_body_).translation().norm();
+  std::erase_if(places_, [&](const Place& place) {
+    return place.free_m.empty() &&
+           !is_apart(place.T_odom_body, *T_odom_body_, 0.5 * kMovedM, 0.5 * kTurnedRad);
+  });
   places_.push_back({*T_odom_body_, odometer_m_, {}});
   mark(places_.back());
   forget_old_places();

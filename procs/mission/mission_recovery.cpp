@@ -32,7 +32,6 @@ constexpr double kMatchAtHomeM = 5.0;    // and back: the length of two local ma
 constexpr double kStartUnmeasuredM = 2.0;
 constexpr double kUnlevelledMaxM = 5.0;  // distance travelled with unknown roll and pitch
 constexpr double kUnknownHomeM = 20.0;   // an uncertainty that leaves other tunnels possible
-constexpr double kStartRadiusM = 0.3;    // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
 using Evidence = Recovery::Evidence;
@@ -272,7 +271,7 @@ void Mission::note_progress() {
 void Mission::note_failed_try(const std::string& reason) {
   ++failed_tries_;
   if (failed_tries_ > params_.failed_tries_max) {
-    const bool never_left = localization_.traversed_path().distance_travelled_m() < kStartRadiusM;
+    const bool never_left = localization_.traversed_path().distance_travelled_m() < kAtStartM;
     never_left ? end_at_home("no path into the mine was found: " + reason)
                : end(MissionOutcome::kStranded, "no path onward was found: " + reason);
   } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m()) {

@@ -171,6 +171,8 @@ std::string end_text(const MissionStatistics& statistics) {
   }
   switch (statistics.last->outcome) {
     case MissionOutcome::kHome:
+      if (never_left_start(*statistics.last))
+        return "The robot did not leave the start: " + statistics.last->reason;
       return fmt::format("The robot returned home{}.", within_text(", within ", *statistics.last));
     case MissionOutcome::kHomeUncertain:
       if (!statistics.last->home_within_m) return "The robot does not know where home is.";

@@ -110,9 +110,9 @@ During the mission:
 Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
 
 constexpr const char* kMissionExitCodes =
-    "  1  the robot did not return to the start, or is not sure that it did; or the disk "
-    "did\n"
-    "     not take the recording or what a stage stores, for want of space or as it failed";
+    "  1  the robot did not leave the start, did not return to it, or is not sure that it did;\n"
+    "     or the disk did not take the recording or what a stage stores, for want of space or\n"
+    "     as it failed";
 
 constexpr const char* kMissionExamples =
     R"(  adit mission mathies --out mission
@@ -141,11 +141,12 @@ void survey_mine(const std::filesystem::path& folder) try {
   print_error("adit mission", fmt::format("cannot survey the mine: {}", error.what()));
 }
 
-/// Throws the exit code of a mission whose robot did not return, or is not sure that it did, or of
-/// which the disk did not take everything.
+/// Throws the exit code of a mission whose robot did not leave the start, did not return, or is not
+/// sure that it did, or of which the disk did not take everything.
 void require_return(const MissionProgress& last, const std::string& abort_reason,
                     const std::string& trace_failure) {
-  const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome;
+  const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome &&
+                    !never_left_start(last.phase);
   if (!home || !last.not_stored.empty() || !trace_failure.empty())
     throw CLI::RuntimeError(kExitNotReturned);
 }

@@ -28,7 +28,7 @@ std::string end_phrase(const MissionStatistics& statistics) {
   if (!statistics.last) return "The end of the mission is not in the log";
   switch (statistics.last->outcome) {
     case MissionOutcome::kHome:
-      return "Home";
+      return never_left_start(*statistics.last) ? "The robot did not leave the start" : "Home";
     case MissionOutcome::kHomeUncertain:
       return "Home by its own estimate, not sure";
     case MissionOutcome::kStopped:

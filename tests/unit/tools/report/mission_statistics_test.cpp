@@ -13,6 +13,7 @@ MissionStatistics mission_at_home(bool complete, const FrontierCounts& frontiers
   statistics.last.emplace();
   statistics.last->outcome = MissionOutcome::kHome;
   statistics.last->complete = complete;
+  statistics.last->distance_travelled_m = 20.0;
   statistics.frontiers = frontiers;
   return statistics;
 }
@@ -35,6 +36,15 @@ TEST(MissionStatistics, OutcomeSaysHowSureTheRobotIsOfHome) {
   EXPECT_THAT(outcome_text(statistics),
               testing::StartsWith("The robot is at home by its own estimate, but not sure: within "
                                   "1.40 m (95 %)."));
+}
+
+TEST(MissionStatistics, OutcomeSaysThatTheRobotDidNotLeaveTheStart) {
+  MissionStatistics statistics = mission_at_home(false, {});
+  statistics.last->distance_travelled_m = 0.1;
+  statistics.last->reason = "the robot is at home: no path into the mine was found: No path.";
+  EXPECT_EQ(outcome_text(statistics),
+            "The robot did not leave the start: the robot is at home: no path into the mine was "
+            "found: No path.");
 }
 
 TEST(MissionStatistics, OutcomeOfAnIncompleteExplorationHasOpenFrontiers) {

@@ -22,6 +22,9 @@ struct ObstacleHeights {
 struct LaserPoints {
   /// In the body frame, one for each beam in their order; NaN for beams without an obstacle.
   std::vector<Eigen::Vector2d> p_body;
+  /// Likewise up to where each beam shows free space at the height of obstacles: its obstacle, or
+  /// where it leaves these heights upwards or downwards; NaN without a valid range.
+  std::vector<Eigen::Vector2d> p_body_free;
   int returns = 0;  ///< number of beams with a valid range
 };
 

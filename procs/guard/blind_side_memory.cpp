@@ -90,13 +90,14 @@ void BlindSideMemory::correct(const MapCorrection& correction) {
     places_.erase(places_.begin(), recent);
   }
   mark_all_near();
+  T_odom_observed_.reset();  // the next scan counts, though the vehicle stands
 }
 
 void BlindSideMemory::observe(const LaserPoints& points) {
   if (!T_odom_body_ || !has_moved(T_odom_observed_, *T_odom_body_)) return;
   T_odom_observed_ = T_odom_body_;
   const Eigen::Vector2d p_odom_laser = *T_odom_body_ * laser_.T_body_laser.translation();
-  for (const Eigen::Vector2d& p_body : points.p_body) {
+  for (const Eigen::Vector2d& p_body : points.p_body_free) {
     if (p_body.allFinite()) mark_line(p_odom_laser, *T_odom_body_ * p_body);
   }
   if (!has_moved(T_odom_stored_, *T_odom_body_, kStoredM, kStoredRad)) return;
@@ -112,7 +113,7 @@ void BlindSideMemory::observe(const LaserPoints& points) {
 std::vector<float> BlindSideMemory::free_by_bearing(const LaserPoints& points) const {
   constexpr float kNone = std::numeric_limits<float>::infinity();
   std::vector<float> free_m(kBearings, kNone);
-  for (const Eigen::Vector2d& p_body : points.p_body) {
+  for (const Eigen::Vector2d& p_body : points.p_body_free) {
     if (!p_body.allFinite()) continue;
     const Eigen::Vector2d line = p_body - laser_.T_body_laser.translation();
     const double turn = std::atan2(line.y(), line.x()) / (2.0 * std::numbers::pi) + 0.5;

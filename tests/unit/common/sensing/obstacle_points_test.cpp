@@ -66,6 +66,24 @@ TEST(LaserPoints, LeaveOutGroundAndRoof) {
   EXPECT_EQ(obstacles_at(0.5F, -down), 1);           // 0.86 m high; the vehicle is 1 m high
 }
 
+/// The laser is 0.62 m above the ground; obstacles are from 0.2 to 1 m high.
+TEST(LaserPoints, ShowFreeSpaceUpToWhereABeamLeavesTheHeightsOfObstacles) {
+  const auto free_m = [](float range_m, double tilt_rad, const Eigen::Vector3d& up_body = kLevel) {
+    const LaserPoints points =
+        project_scan(scan_ahead({range_m}), mount(), tilt_rad, up_body, kHeights);
+    return points.p_body_free.at(0).x() - mount().T_body_laser.x;
+  };
+  EXPECT_NEAR(free_m(3.0F, 0.0), 3.0, 1e-6);                         // an obstacle
+  EXPECT_NEAR(free_m(6.0F, 0.1), 0.42 / std::tan(0.1), 1e-6);        // towards the ground
+  EXPECT_NEAR(free_m(6.0F, -0.1), 0.38 / std::tan(0.1), 1e-6);       // towards the roof
+  EXPECT_NEAR(free_m(2.0F, -0.1), 2.0 * std::cos(0.1), 1e-6);        // ends before
+  const Eigen::Vector3d pitched(std::sin(0.1), 0.0, std::cos(0.1));  // nose up
+  const double height_m =
+      0.62 * std::cos(0.1) + 1.05 * std::sin(0.1);  // of the laser along gravity
+  EXPECT_NEAR(free_m(6.0F, 0.0, pitched), (1.0 - height_m) / std::sin(0.1), 1e-6);
+  EXPECT_TRUE(std::isnan(free_m(kNan, 0.0)));
+}
+
 TEST(LaserPoints, ContainAWallAheadOfAPitchedBody) {
   // Nose up by 0.07 rad, as with the front wheels on a rail: the beam rises.
   const Eigen::Vector3d nose_up(std::sin(0.07), 0.0, std::cos(0.07));

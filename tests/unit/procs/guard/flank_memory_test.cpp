@@ -44,7 +44,7 @@ class FlankMemoryTest : public testing::Test {
   }
   static LaserPoints points_of(const Eigen::Vector2d& p_body, bool visible) {
     const Eigen::Vector2d p = visible ? p_body : kNothing;
-    return {{kNothing, p, p + Eigen::Vector2d(0.0, 0.01), kNothing}, 2};
+    return {{kNothing, p, p + Eigen::Vector2d(0.0, 0.01), kNothing}, {}, 2};
   }
 
   FlankMemory memory_{Vehicle{}, lasers()};  // 2.4 × 1.2 m
@@ -77,7 +77,7 @@ TEST_F(FlankMemoryTest, IgnoresSingleBeams) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.01, 0.8);
   memory_.move_to(T_odom_body_);
   const Eigen::Vector2d p = T_odom_body_.inverse() * post;
-  memory_.observe(LaserId::kFront, {{kNothing, p, kNothing, p}, 2});
+  memory_.observe(LaserId::kFront, {{kNothing, p, kNothing, p}, {}, 2});
   drive(kAhead, 10, {100.0, 100.0});
   EXPECT_THAT(memory_.p_body(), IsEmpty());
 }
@@ -158,7 +158,7 @@ TEST(FlankMemoryOfASpinningLidar, StoresWhatIsNearerThanItsLeastRange) {
     const Eigen::Vector2d p(x, y);
     const bool visible = (p - Eigen::Vector2d(0.3, 0.0)).norm() >= 0.5;
     const Eigen::Vector2d seen = visible ? p : kNothing;
-    memory.observe(LaserId::kFront, {{kNothing, seen, seen + Eigen::Vector2d(0.0, 0.01)}, 2});
+    memory.observe(LaserId::kFront, {{kNothing, seen, seen + Eigen::Vector2d(0.0, 0.01)}, {}, 2});
   };
   memory.move_to({});
   see(0.75, 0.4);  // a post, 0.60 m from the lidar

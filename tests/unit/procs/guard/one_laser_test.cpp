@@ -144,7 +144,7 @@ TEST(BlindSideMemory, KnowsWhatLiesBetweenTheLaserAndAnObstacle) {
   LaserPoints points;
   for (int i = 0; i < 720; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / 720.0;
-    points.p_body.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle));
+    points.p_body_free.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle));
   }
   ground.observe(points);
   EXPECT_EQ(ground.known_m({-0.3, 0.0}, 1.0), 1.0);
@@ -208,8 +208,8 @@ TEST(BlindSideMemory, KnowsWhatItSawBesideThePathWhenItComesBack) {
     LaserPoints walls;  // 2 m to each side, seen ahead only
     for (int i = 1; i < 90; ++i) {
       const double x = 2.0 / std::tan(std::numbers::pi * i / 180.0);
-      walls.p_body.emplace_back(x, -2.0);
-      walls.p_body.emplace_back(x, 2.0);
+      walls.p_body_free.emplace_back(x, -2.0);
+      walls.p_body_free.emplace_back(x, 2.0);
     }
     ground.observe(walls);
   };

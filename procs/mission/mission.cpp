@@ -21,6 +21,7 @@ constexpr double kDrivingTimeoutS = 3.0;
 constexpr double kPathReceiptS = 2.0;   // until driving has received its path
 constexpr int kIncompleteScansMax = 3;  // in a row; an incomplete scan is accepted then
 constexpr double kScanAheadM = 10.0;    // length of a route straight ahead
+constexpr double kPathMovedMaxM = 0.1;  // a terrain cell
 constexpr double kFacingM = 2.5;        // distance of the route point that selects the laser
 constexpr double kFacingHysteresisRad = 0.3;
 
@@ -446,9 +447,17 @@ void Mission::add_match(const ScanMatch& match) {
   enter(Phase::kWaiting, "odom was reset: waiting for the map correction");
 }
 
+/// The path along the traversed path is where that was in odom when it began: where the map has
+/// moved that since, it no longer leads over the ground that the robot drove.
 void Mission::add_correction(const MapCorrection& correction) {
   limits_.add(correction);
-  localization_.add_correction(correction);
+  path_moved_m_ += localization_.add_correction(correction);
+  const bool follows_old_ground =
+      std::holds_alternative<Rejoin>(maneuver_) && uses_traversed_path(maneuver_);
+  if (phase_.phase != Phase::kExecute || !follows_old_ground || path_moved_m_ < kPathMovedMaxM)
+    return;
+  enter(Phase::kExplore,
+        fmt::format("the map has moved the traversed path by {:.2f} m", path_moved_m_));
 }
 
 void Mission::add_vehicle_state(const VehicleState& state) {
@@ -481,6 +490,7 @@ void Mission::enter(Phase phase, const std::string& reason) {
   if (phase != Phase::kExplore) looks_at_home_ = false;
   if (phase != Phase::kScan) scans_at_home_ = false;
   if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
+  if (phase != Phase::kExecute) path_moved_m_ = 0.0;
 }
 
 void Mission::end(MissionOutcome outcome, const std::string& reason) {

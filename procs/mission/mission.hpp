@@ -181,7 +181,8 @@ class Mission {
   bool return_is_final_ = false;  ///< by order, limit or power loss
 
   Target target_;
-  Maneuver maneuver_;  ///< in phases plan and execute
+  Maneuver maneuver_;          ///< in phases plan and execute
+  double path_moved_m_ = 0.0;  ///< by map corrections since it was chosen
   Recovery recovery_;
   Retracing retracing_;
   ProgressChecker progress_;

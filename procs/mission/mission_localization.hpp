@@ -39,7 +39,8 @@ class MissionLocalization {
                                          double z_odom_m = 0.0);
   /// `odom_epoch_utime`: of the odom frame of a scan match.
   OdomChange set_odom_epoch(std::int64_t odom_epoch_utime);
-  void add_correction(const MapCorrection& correction);
+  /// Returns how far it moves what was driven long ago, at the place of the body [m].
+  double add_correction(const MapCorrection& correction);
   [[nodiscard]] const KnownMap& known_map() const { return known_map_; }
   /// Continues the traversed path into earlier odom frames although the map correction is
   /// uncertain.

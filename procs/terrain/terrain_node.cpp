@@ -3,6 +3,7 @@
 #include "procs/terrain/terrain_node.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "common/bus/channels.hpp"
@@ -66,7 +67,9 @@ void TerrainNode::on_match(const ScanMatch& match) {
 /// Relates the odom frames through map.
 void TerrainNode::on_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return;  // of the previous odom frame
-  if (T_map_odom_) memory_.correct(between(correction.T_map_odom, *T_map_odom_));
+  if (T_map_odom_)
+    memory_.correct(between(correction.T_map_odom, *T_map_odom_),
+                    std::pow(position_sd_m(correction.body_covariance), 2));
   T_map_odom_ = correction.T_map_odom;
   if (!T_map_previous_odom_ || !odom_is_localized(correction)) return;
   memory_.anchor(between(correction.T_map_odom, *T_map_previous_odom_));

@@ -22,7 +22,8 @@ constexpr double kJumpRad = 0.7;  // within a second
 constexpr std::size_t kPlaces = 20'000;
 constexpr double kJoinedM = 1.0;  // between successive places; a longer gap is no driven ground
 constexpr double kMeetingM = 0.3;
-constexpr double kLoopMinM = 1.0;  // driven between two places that meet
+constexpr double kLoopMinM = 1.0;    // driven between two places that meet
+constexpr double kPlacedSdM = 0.05;  // of two places relative to each other, half a terrain cell
 
 }  // namespace
 
@@ -44,7 +45,7 @@ bool DrivenPath::add(std::int64_t utime, const Pose2& T_odom_body) {
     if (step_length_m < kStepM && std::abs(step.theta) < kStepRad) return follows;
     distance_travelled_m_ += step_length_m;
   }
-  places_.push_back({T_odom_body, distance_travelled_m_, utime});
+  places_.push_back({T_odom_body, distance_travelled_m_, utime, position_variance_});
   while (places_.size() > kPlaces || has_expired(places_.front().distance_travelled_m))
     places_.pop_front();
   find_meeting();
@@ -87,8 +88,9 @@ void DrivenPath::anchor(const Pose2& T_odom_previous) {
   previous_.clear();
 }
 
-void DrivenPath::correct(const Pose2& T_after_before) {
+void DrivenPath::correct(const Pose2& T_after_before, double position_variance) {
   corrected_at_m_ = distance_travelled_m_;
+  position_variance_ = position_variance;
   for (Place& place : places_) {
     if (!keeps_place_in_map(place.distance_travelled_m)) return;
     place.T_odom_body = T_after_before * place.T_odom_body;
@@ -97,6 +99,14 @@ void DrivenPath::correct(const Pose2& T_after_before) {
 
 bool DrivenPath::keeps_place_in_map(double distance_travelled_m) const {
   return distance_travelled_m < distance_travelled_m_ - kKeepsPlaceInOdomM;
+}
+
+/// The variance between two places is what it has grown by between them: where scans match what was
+/// mapped before it does not grow, and between smooth walls it does. Where a loop closure has made
+/// it smaller, map has moved as well, and an old place may not have moved with it.
+bool DrivenPath::is_well_placed(const Place& place) const {
+  if (place.distance_travelled_m >= distance_travelled_m_ - limits_.distance_max_m) return true;
+  return std::abs(position_variance_ - place.position_variance) <= kPlacedSdM * kPlacedSdM;
 }
 
 bool DrivenPath::has_expired(double distance_travelled_m) const {
@@ -157,7 +167,7 @@ std::vector<DrivenPath::Place> DrivenPath::same_level() const {
   const std::vector<double> lengths_m = lengths_to_newest();
   std::vector<Place> places;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (std::isfinite(lengths_m[i])) places.push_back(places_[i]);
+    if (std::isfinite(lengths_m[i]) && is_well_placed(places_[i])) places.push_back(places_[i]);
   }
   return places;
 }

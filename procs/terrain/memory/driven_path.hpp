@@ -26,6 +26,7 @@ class DrivenPath {
     Pose2 T_odom_body;
     double distance_travelled_m;  ///< driven up to it [m]
     std::int64_t utime;
+    double position_variance = 0.0;       ///< of the body in map when it was driven [m²]
     std::optional<double> met_at_m = {};  ///< `distance_travelled_m` of the place that it met
   };
 
@@ -46,8 +47,9 @@ class DrivenPath {
   /// Sets the pose of the previous odom frame in the current one, and prepends the path in it.
   void anchor(const Pose2& T_odom_previous);
   /// Mapping has placed odom in map: `T_after_before` is its old pose in the new one. Places that
-  /// were driven more than kKeepsPlaceInOdomM ago keep their place in map.
-  void correct(const Pose2& T_after_before);
+  /// were driven more than kKeepsPlaceInOdomM ago keep their place in map. `position_variance`: of
+  /// the body relative to the start, over all directions at most [m²].
+  void correct(const Pose2& T_after_before, double position_variance);
   /// Whether what was observed at this distance travelled keeps its place in map, not in odom.
   [[nodiscard]] bool keeps_place_in_map(double distance_travelled_m) const;
   /// Whether odom has drifted too far since then.
@@ -55,20 +57,23 @@ class DrivenPath {
 
   /// Total distance travelled [m], without the noise at standstill.
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
-  /// The places on the same level as the newest, which is the last one; oldest first.
+  /// The places on the same level as the newest, which is the last one; oldest first. Of those that
+  /// odom alone would have lost, only those that map relates to the present place well enough.
   [[nodiscard]] std::vector<Place> same_level() const;
 
  private:
   [[nodiscard]] bool can_follow(std::int64_t utime, const Pose2& T_odom_body) const;
   [[nodiscard]] std::vector<double> lengths_to_newest() const;
+  [[nodiscard]] bool is_well_placed(const Place& place) const;
   [[nodiscard]] std::size_t index_of(double distance_travelled_m) const;
   void find_meeting();
 
   Limits limits_;
   double distance_travelled_m_ = 0.0;
   double corrected_at_m_ = 0.0;  ///< distance travelled at the last correction
-  std::deque<Place> places_;     ///< oldest first, ascending in distance
-  std::deque<Place> previous_;   ///< places in the previous odom frame
+  double position_variance_ = 0.0;
+  std::deque<Place> places_;    ///< oldest first, ascending in distance
+  std::deque<Place> previous_;  ///< places in the previous odom frame
   struct Reading {
     std::int64_t utime;
     Pose2 T_odom_body;

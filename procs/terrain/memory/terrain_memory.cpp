@@ -168,8 +168,8 @@ void TerrainMemory::anchor(const Pose2& T_odom_previous) {
   previous_.clear();
 }
 
-void TerrainMemory::correct(const Pose2& T_after_before) {
-  path_.correct(T_after_before);
+void TerrainMemory::correct(const Pose2& T_after_before, double position_variance) {
+  path_.correct(T_after_before, position_variance);
   for (RememberedMap& map : maps_) {
     if (path_.keeps_place_in_map(map.distance_travelled_m())) map.anchor(T_after_before);
   }

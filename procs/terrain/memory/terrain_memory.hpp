@@ -40,7 +40,7 @@ class TerrainMemory {
   /// Sets the pose of the previous odom frame in the current one; scans in it count again.
   void anchor(const Pose2& T_odom_previous);
   /// Mapping has placed odom in map, see DrivenPath.
-  void correct(const Pose2& T_after_before);
+  void correct(const Pose2& T_after_before, double position_variance);
 
   /// Fills unknown cells of the map from earlier scans, newest first, and stores the scan. Cells
   /// observed in the scan are retained; obstacles in cells that it cannot observe are recalled. The

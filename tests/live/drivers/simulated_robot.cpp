@@ -102,8 +102,8 @@ void SimulatedRobot::handle(const WheelOdometry& odometry) {
 }
 
 std::optional<std::int64_t> SimulatedRobot::now() const {
-  const auto is_silent = [](const End& end) { return end.tilt.empty() || end.scans.empty(); };
-  if (travel_history_.empty() || motion_.empty() || std::ranges::any_of(ends_, is_silent))
+  const auto has_nothing = [](const End& end) { return end.tilt.empty() || end.scans.empty(); };
+  if (travel_history_.empty() || motion_.empty() || std::ranges::any_of(ends_, has_nothing))
     return std::nullopt;
   if (sensors_.has_lidar && revolutions_.empty()) return std::nullopt;
   return wall_utime() - *behind_us_ - (sensors_.has_lidar ? kLidarLateUs : kLateUs);

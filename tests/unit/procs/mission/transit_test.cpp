@@ -56,6 +56,29 @@ TEST_F(MissionInTransit, DrivesHomeAtOnce) {
   EXPECT_NEAR(goal_.distance_m, 20.0, 0.7);  // home, at the end of the traversed path
 }
 
+/// A loop closure: the ground that the robot drove outbound lies elsewhere in odom.
+TEST_F(MissionInTransit, BeginsTheDriveAgainWhereTheMapMovesTheTraversedPath) {
+  MapCorrection correction;
+  correction.utime = utime_;
+  mission_.add_correction(correction);
+  reach_m_ = -12.0;
+  answer(Kind::kHome);
+  path(PlanOutcome::kFound);
+  ASSERT_EQ(now(), Phase::kExecute);
+  correction.T_map_odom.y = 0.07;
+  mission_.add_correction(correction);
+  EXPECT_EQ(now(), Phase::kExecute);
+  correction.T_map_odom.y = 0.14;
+  mission_.add_correction(correction);
+  EXPECT_EQ(now(), Phase::kExplore);
+  EXPECT_EQ(phase().reason, "the map has moved the traversed path by 0.14 m");
+  tick();
+  answer(Kind::kHome);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+  EXPECT_NEAR(goal_.traversed_path_odom.back().y, -0.14, 1e-9);
+}
+
 TEST_F(MissionInTransit, ScansWhereItHasNotBeen) {
   reach_m_ = 12.0;
   answer(Kind::kGoTo, 1);

@@ -13,6 +13,7 @@ namespace adit {
 namespace {
 
 const Pose2 kFirst{-6.0, 0.0, 0.0};
+const Pose2 kBefore{-6.5, 0.0, 0.0};
 const Pose2 kHere{0.0, 0.0, 0.0};
 const Eigen::AlignedBox2d kBeside(Eigen::Vector2d(-2.0, 0.8), Eigen::Vector2d(1.5, 1.5));
 
@@ -40,18 +41,28 @@ TEST(TerrainMemoryLimits, ToAndFroRemembersUntilOdomHasDrifted) {
   }
 }
 
-/// Mapping places in map what was seen long ago: odom may drift.
+/// Mapping places in map what was seen long ago: odom may drift. Not where map itself is less sure
+/// of the place than before, or has become surer of it by a loop closure.
 TEST(TerrainMemoryLimits, RemembersWhatMapHasPlacedSince) {
-  for (const bool with_map : {false, true}) {
-    ScanningVehicle vehicle(kFirst);
+  struct Case {
+    bool with_map;
+    double sd_then_m, sd_now_m;
+    bool is_used;
+  };
+  for (const Case& c :
+       {Case{false, 0.0, 0.0, false}, Case{true, 0.0, 0.0, true}, Case{true, 0.2, 0.205, true},
+        Case{true, 0.1, 0.15, false}, Case{true, 0.15, 0.1, false}}) {
+    ScanningVehicle vehicle(kBefore);
+    if (c.with_map) vehicle.memory().correct({}, c.sd_then_m * c.sd_then_m);
+    vehicle.drive_to(kFirst);
     vehicle.scan(add_tunnel);
     for (const double x_m : {20.0, 40.0, 60.0, 40.0, 20.0, 0.0}) {
       vehicle.drive_to({x_m, 0.0, 0.0});
-      if (with_map) vehicle.memory().correct({});
+      if (c.with_map) vehicle.memory().correct({}, c.sd_now_m * c.sd_now_m);
     }
     const TerrainMap map = vehicle.scan(add_tunnel);
-    EXPECT_EQ(vehicle.memory().recall_result().used, with_map ? 1 : 0);
-    EXPECT_EQ(share_of(map, kBeside, is_seen), with_map ? 1.0 : 0.0);
+    EXPECT_EQ(vehicle.memory().recall_result().used, c.is_used ? 1 : 0);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), c.is_used ? 1.0 : 0.0);
   }
 }
 
@@ -64,7 +75,7 @@ TEST(TerrainMemoryLimits, AMapCorrectionMovesOldScans) {
     vehicle.scan(add_tunnel, false, 0.0, drift);
     if (is_old) vehicle.drive_to({12.0, 0.0, 0.0});
     vehicle.drive_to(kHere);
-    vehicle.memory().correct(drift.inverse());
+    vehicle.memory().correct(drift.inverse(), 0.0);
     vehicle.scan(add_tunnel);
     EXPECT_EQ(vehicle.memory().recall_result().used, is_old ? 1 : 0);
     EXPECT_EQ(vehicle.memory().recall_result().rejected, is_old ? 0 : 1);

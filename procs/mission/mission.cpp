@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <numbers>
 #include <utility>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "common/geometry/attitude.hpp"
 

@@ -20,8 +20,8 @@
 namespace adit {
 
 /// The ground within 8 m that is known to be free, for motions to a side on which the vehicle is
-/// blind: where it has been, and what lay between the laser and the obstacles that it saw. Cells of
-/// 0.1 m in odom.
+/// blind: where it has been, and where beams passed at the height of obstacles, within 5 m of the
+/// laser. Cells of 0.1 m in odom.
 ///
 /// Odom drifts: ground is forgotten 60 m after the vehicle has driven over it, unless a map
 /// correction has placed it since. As on the traversed path of the mission, what was driven more
@@ -47,7 +47,7 @@ class BlindSideMemory {
   struct Place {
     Pose2 T_odom_body;
     double driven_at_m;         ///< odometer
-    std::vector<float> free_m;  ///< from the laser to obstacles, by bearing in body; may be empty
+    std::vector<float> free_m;  ///< from the laser, by bearing in body; empty if no scan is stored
   };
 
   void add_place();

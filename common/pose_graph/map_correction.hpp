@@ -41,6 +41,12 @@ struct MapCorrection {
 /// map, and what was driven since that in odom: the path length of the newest two local maps [m].
 inline constexpr double kKeepsPlaceInOdomM = 10.0;
 
+/// How far a correction that moves what lies in odom moves it at a place there [m].
+/// `T_after_before`: the old pose of odom in the new one.
+inline double moved_at_m(const Pose2& T_after_before, const Eigen::Vector2d& p_odom) {
+  return (T_after_before * p_odom - p_odom).norm();
+}
+
 /// Largest standard deviation of the position over all directions [m], of a covariance of (x, y,
 /// θ).
 inline double position_sd_m(const Eigen::Matrix3d& covariance) {

@@ -34,6 +34,11 @@ FrontierState state_behind(Barrier::Kind barrier) {
 
 bool is_exit(const Barrier& barrier) { return barrier.kind == Barrier::Kind::kOutsideMine; }
 
+/// Across the heading at the start, relative to local map 0.
+Barrier exit_at(double x_m, const char* evidence) {
+  return {Barrier::Kind::kOutsideMine, -1, 0, {x_m, 0.0}, {-1.0, 0.0}, evidence};
+}
+
 }  // namespace
 
 /// Open air returns no beams, so that the known space may end before the barrier at the exit does.
@@ -53,13 +58,8 @@ void Exploration::add_exit_barrier() {
   if (std::ranges::any_of(barriers_, is_exit) || !known_.pose_of(0)) return;
   const double clear_m = params_.vehicle.length_m / 2.0 + kBehindStartM;
   if (params_.starts_at_portal) {
-    barriers_.push_back(
-        {Barrier::Kind::kOutsideMine,
-         -1,
-         0,
-         {-clear_m, 0.0},
-         {-1.0, 0.0},
-         "behind the start: the exit of the mine, as the robot starts at the portal"});
+    barriers_.push_back(exit_at(
+        -clear_m, "behind the start: the exit of the mine, as the robot starts at the portal"));
     return;
   }
   if (!params_.exit_behind_start) return;
@@ -69,12 +69,7 @@ void Exploration::add_exit_barrier() {
     const Eigen::Vector2d direction = T_home_map * open.direction - T_home_map.translation();
     if (p_home.norm() > kExitRadiusM || direction.x() > kOutwards) continue;
     const double x = std::min(-clear_m, p_home.x() < -clear_m ? p_home.x() - clear_m : 0.0);
-    barriers_.push_back({Barrier::Kind::kOutsideMine,
-                         -1,
-                         0,
-                         {x, 0.0},
-                         {-1.0, 0.0},
-                         "behind the start: open air, the exit of the mine"});
+    barriers_.push_back(exit_at(x, "behind the start: open air, the exit of the mine"));
     return;
   }
 }
@@ -117,9 +112,9 @@ void Exploration::set_outside(bool is_outside) {
   refresh_space();
 }
 
-/// A robot behind a barrier has passed it, so that there is a path. Removes the newest barrier
-/// without which a path home exists, or else all of them. If that does not help either, the cause
-/// is another one, and all barriers stay.
+/// A robot behind a barrier has passed it, so that there is a path. The exit stays, and routes lead
+/// through it. Of the others the newest without which a path home exists is removed, or else all of
+/// them. If that does not help either, the cause is another one, and all barriers stay.
 void Exploration::drop_passed_barriers(const ExplorationState& state) {
   const std::vector<Barrier> all = barriers_;
   if (std::ranges::any_of(all, is_exit)) {

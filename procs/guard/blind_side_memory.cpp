@@ -78,9 +78,8 @@ void BlindSideMemory::correct(const MapCorrection& correction) {
   corrected_at_m_ = odometer_m_;
   if (!before || before->T_map_odom == correction.T_map_odom) return;
   const Pose2 T_after_before = between(correction.T_map_odom, before->T_map_odom);
-  const Eigen::Vector2d p_odom_body = T_odom_body_->translation();
-  const double moved_m = (T_after_before * p_odom_body - p_odom_body).norm();
-  const bool is_usable = correction.session == before->session && moved_m <= kCorrectionMaxM;
+  const bool is_usable = correction.session == before->session &&
+                         moved_at_m(T_after_before, T_odom_body_->translation()) <= kCorrectionMaxM;
   const auto recent =
       std::ranges::lower_bound(places_, odometer_m_ - kKeepsPlaceInOdomM, {}, &Place::driven_at_m);
   if (is_usable) {

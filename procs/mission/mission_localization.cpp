@@ -77,20 +77,17 @@ double MissionLocalization::add_correction(const MapCorrection& correction) {
   if (correction.utime < odom_epoch_utime_) return 0.0;  // of the odom frame before
   compare_map(correction);
   has_correction_ = true;
-  double moved_m = 0.0;
+  double moved_at_body_m = 0.0;
   if (T_map_odom_ && *T_map_odom_ != correction.T_map_odom) {
     const Pose2 T_after_before = between(correction.T_map_odom, *T_map_odom_);
     traversed_path_.correct(T_after_before, z_map_odom_m_ - correction.z_map_odom_m);
-    if (T_odom_body()) {
-      const Eigen::Vector2d p_odom_body = T_odom_body()->translation();
-      moved_m = (T_after_before * p_odom_body - p_odom_body).norm();
-    }
+    if (T_odom_body()) moved_at_body_m = moved_at_m(T_after_before, T_odom_body()->translation());
   }
   T_map_odom_ = correction.T_map_odom;
   z_map_odom_m_ = correction.z_map_odom_m;
   body_sd_m_ = position_sd_m(correction.body_covariance);
   if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom, z_map_odom_m_);
-  return moved_m;
+  return moved_at_body_m;
 }
 
 /// The first local map after a restart has a greater id than all that the mission knew before,

@@ -56,7 +56,8 @@ struct RepulsionParams {
 
 /// Memory of earlier maps, in odom and placed by map.
 struct TerrainMemoryParams {
-  int maps_max = 500;                  ///< stored maps, 0.2 MB each in a tunnel; 0: no memory
+  /// Stored maps, 0.2 MB each in a tunnel; 0: no memory and no path.
+  int maps_max = 500;
   double distance_max_m = 40.0;        ///< driven since a scan or since map placed it
   double path_length_max_m = 15.0;     ///< shortest path to a scan; beyond may be another level
   double residual_max_m = 0.06;        ///< residual of the height differences to a plane

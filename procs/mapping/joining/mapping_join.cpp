@@ -54,6 +54,17 @@ Eigen::Vector2d middle_of_walls_facing(const LocalWalls& walls, const Eigen::Vec
   return weights > 0.0 ? Eigen::Vector2d(sum / weights) : Eigen::Vector2d(0.0, 0.0);
 }
 
+/// The candidates of a local map among those before `end` only, of which none is its neighbour in
+/// time. `near`, `extents`: as of `loop_closure_candidates`.
+std::vector<LoopClosureCandidate> candidates_before(int end, std::span<const Pose2> poses,
+                                                    std::vector<NearMap> near,
+                                                    std::span<const MapExtent> extents,
+                                                    LoopClosureCandidatesParams params) {
+  std::erase_if(near, [end](const NearMap& n) { return n.older >= end; });
+  params.neighbours = static_cast<int>(poses.size()) - 1 - end;
+  return loop_closure_candidates(poses, near, extents.first(poses.size()), params);
+}
+
 /// Local maps that are at least `apart_m` from each other, each next one far from those before, so
 /// that the first few are all over the map.
 std::vector<int> spread(const std::vector<Pose2>& poses, const LocalMapStore& maps,
@@ -304,12 +315,9 @@ void Mapping::link_run(std::vector<LoopClosure> agreeing, int first) {
     Trial& trial = association_.trial();
     std::vector<Pose2> poses = trial.poses();
     poses.resize(at(map) + 1);
-    std::vector<NearMap> near = trial.near_maps(map, reach_m_, params_.candidates.sigmas);
-    std::erase_if(near, [&](const NearMap& n) { return n.older >= first; });
-    LoopClosureCandidatesParams params = params_.candidates;
-    params.neighbours = map - first;
     std::vector<LoopClosureCandidate> candidates =
-        loop_closure_candidates(poses, near, std::span(extents_).first(at(map) + 1), params);
+        candidates_before(first, poses, trial.near_maps(map, reach_m_, params_.candidates.sigmas),
+                          extents_, params_.candidates);
     std::erase_if(candidates, [&](const LoopClosureCandidate& candidate) {
       return proposed.contains({candidate.older, map});
     });
@@ -325,12 +333,9 @@ std::vector<LoopClosureCandidate> Mapping::overlapped(int map, int end) const {
   if (maps_[at(map)].scans.empty()) return {};
   const std::span<const Pose2> until =
       std::span(association_.hypothesis().T_map_local).first(at(map) + 1);
-  std::vector<NearMap> near = within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero());
-  std::erase_if(near, [&](const NearMap& n) { return n.older >= end; });
-  LoopClosureCandidatesParams params = params_.candidates;
-  params.neighbours = map - end;
-  std::vector<LoopClosureCandidate> found =
-      loop_closure_candidates(until, near, std::span(extents_).first(at(map) + 1), params);
+  std::vector<LoopClosureCandidate> found = candidates_before(
+      end, until, within_reach(until, kOverlapToleranceM, Eigen::Matrix3d::Zero()), extents_,
+      params_.candidates);
   std::erase_if(found, [&](const LoopClosureCandidate& candidate) {
     return !heights_.same_level(candidate.older, map, candidate.predicted.T_older_newer, walls_);
   });

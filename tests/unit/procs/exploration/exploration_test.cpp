@@ -75,13 +75,17 @@ TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
 }
 
 /// The robot starts in the middle of a tunnel of 60 m, closed at both ends.
-TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
+test::PlanarMine closed_tunnel() {
   const auto line = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return test::Segment{a, b};
   };
-  const auto mine = test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
-                                       line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
-                                      Pose2{});
+  return test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
+                            line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
+                           Pose2{});
+}
+
+TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
+  const auto mine = closed_tunnel();
   Explorer explorer(mine);
   explorer.decide();
   EXPECT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 2U);
@@ -95,12 +99,7 @@ TEST(Exploration, ExploresWhatLiesBehindAStartInMidCorridor) {
 
 /// Between both ends of the tunnel nothing shows which is the exit: the operator knows.
 TEST(Exploration, TakesWhatLiesBehindAStartAtThePortalForTheExit) {
-  const auto line = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return test::Segment{a, b};
-  };
-  const auto mine = test::planar_mine({line({-30, -1.5}, {30, -1.5}), line({30, -1.5}, {30, 1.5}),
-                                       line({30, 1.5}, {-30, 1.5}), line({-30, 1.5}, {-30, -1.5})},
-                                      Pose2{});
+  const auto mine = closed_tunnel();
   ExplorationParams params;
   params.starts_at_portal = true;
   Explorer explorer(mine, params);

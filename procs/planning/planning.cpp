@@ -91,7 +91,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   }
   // If no scan shows a path onto the traversed path, the robot retraces it from where it is.
   if (goal.kind == PlanGoal::Kind::kRejoin && path.points.size() < 2) {
-    return retrace(goal, T_odom_body);
+    return retrace(goal, T_odom_body, params_.vehicle.turning_radius_m);
   }
   path.utime = terrain.utime;
   path.id = goal.id;
@@ -151,7 +151,8 @@ PlannedPath Planning::make_path(const LatticePath& found, const LatticePose& sta
     refine_clearance(path, kEnoughM, terrain, ground_->layers, wall_distance(terrain, T_level_body),
                      params_.vehicle);
   }
-  if (goal.kind == PlanGoal::Kind::kRejoin) append_traversed_path(path, goal);
+  if (goal.kind == PlanGoal::Kind::kRejoin)
+    append_traversed_path(path, goal, params_.vehicle.turning_radius_m);
   return path;
 }
 

@@ -24,7 +24,8 @@ void release_memory() { malloc_trim(0); }
 
 }  // namespace
 
-PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning_(params) {
+PlanningNode::PlanningNode(Bus& bus, const Params& params)
+    : bus_(bus), planning_(params), turning_radius_m_(params.vehicle.turning_radius_m) {
   subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTileQueueSize),
                        [this](const TerrainFragment& tile) {
                          auto terrain = assembler_.add(tile);
@@ -69,7 +70,7 @@ void PlanningNode::try_plan() {
 
 /// Along the traversed path, with the clearance that a scan showed outbound.
 PlannedPath PlanningNode::retraced() const {
-  PlannedPath path = retrace(*goal_, *T_odom_body_);
+  PlannedPath path = retrace(*goal_, *T_odom_body_, turning_radius_m_);
   clearance_.apply(path);
   return path;
 }

@@ -25,15 +25,28 @@ bool is_on_path(const Pose2& T_odom_end, const Pose2& T_odom_traversed) {
          std::abs(angle_diff(T_odom_end.theta, T_odom_traversed.theta)) <= kOnPathRad;
 }
 
-/// `T_odom_start`, followed by the traversed path from `next` up to a gap or a length.
+/// Whether the vehicle gets from one pose to the next, to the accuracy of a path: the traversed
+/// path itself joins poses that differ by that much where the robot came back to an earlier one.
+bool is_drivable(const Pose2& T_odom_a, const Pose2& T_odom_b, double turning_radius_m) {
+  const Pose2 step = between(T_odom_a, T_odom_b);
+  const double step_m = step.translation().norm();
+  if (std::abs(step.theta) > step_m / turning_radius_m + kOnPathRad) return false;
+  // The chord of an arc bisects the headings at its ends.
+  const Pose2 along_chord{0.0, 0.0, 0.5 * step.theta};
+  return std::abs((along_chord.inverse() * step.translation()).y()) <= kOnPathM;
+}
+
+/// `T_odom_start`, followed by the traversed path from `next` up to a gap, a pose that the vehicle
+/// cannot get to, or a length.
 Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
-                      Poses::const_iterator end, double length_m) {
+                      Poses::const_iterator end, double length_m, double turning_radius_m) {
   Poses poses{T_odom_start};
   double distance_m = 0.0;
   for (; next != end && distance_m < length_m; ++next) {
     const double step_m = distance_between(poses.back(), *next);
     if (step_m > kGapM) break;
     if (step_m < kPoseSpacingM) continue;
+    if (!is_drivable(poses.back(), *next, turning_radius_m)) break;
     poses.push_back(*next);
     distance_m += step_m;
   }
@@ -59,9 +72,10 @@ void append(std::vector<PathPoint>& points, const Poses& poses, double cost) {
 
 }  // namespace
 
-PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
-  const Poses poses = continuous_part(T_odom_body, goal.traversed_path_odom.begin(),
-                                      goal.traversed_path_odom.end(), goal.distance_m);
+PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body, double turning_radius_m) {
+  const Poses poses =
+      continuous_part(T_odom_body, goal.traversed_path_odom.begin(), goal.traversed_path_odom.end(),
+                      goal.distance_m, turning_radius_m);
   PlannedPath path;
   path.utime = goal.utime;
   path.id = goal.id;
@@ -78,14 +92,14 @@ PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
   return path;
 }
 
-void append_traversed_path(PlannedPath& path, const PlanGoal& goal) {
+void append_traversed_path(PlannedPath& path, const PlanGoal& goal, double turning_radius_m) {
   if (path.points.empty()) return;
   const PathPoint end = path.points.back();
   const auto last =
       std::find_if(goal.traversed_path_odom.rbegin(), goal.traversed_path_odom.rend(),
                    [&](const Pose2& T_odom) { return is_on_path(end.T_odom_body, T_odom); });
   const Poses poses = continuous_part(end.T_odom_body, last.base(), goal.traversed_path_odom.end(),
-                                      goal.distance_m);
+                                      goal.distance_m, turning_radius_m);
   if (last == goal.traversed_path_odom.rend() || poses.size() < 2) return;
   path.points.pop_back();
   append(path.points, poses, end.cost);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/types/vehicle.hpp"
 #include "procs/planning/goals/retrace.hpp"
 
 namespace adit {
@@ -28,7 +29,7 @@ PlannedPath back(double from_m, double to_m) {
   PlanGoal goal;
   goal.kind = PlanGoal::Kind::kRetrace;
   for (double x = from_m; x >= to_m; x -= 0.1) goal.traversed_path_odom.push_back({x, 0.02, 0.01});
-  return retrace(goal, goal.traversed_path_odom.front());
+  return retrace(goal, goal.traversed_path_odom.front(), Vehicle{}.turning_radius_m);
 }
 
 TEST(KnownClearance, IsThatOfThePlannedPath) {

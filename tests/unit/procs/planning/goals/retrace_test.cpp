@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ namespace adit {
 namespace {
 
 constexpr double kRadiusM = 4.0;
+constexpr double kTurningRadiusM = 1.6;
 
 PlanGoal retrace_goal(std::vector<Pose2> traversed) {
   PlanGoal goal;
@@ -45,7 +47,7 @@ std::vector<Pose2> line(double from_m, double to_m, double heading = 0.0) {
 }
 
 TEST(Retrace, DrivesStraightBackInReverse) {
-  const PlannedPath path = retrace(retrace_goal(line(0.0, -3.0)), {0, 0, 0});
+  const PlannedPath path = retrace(retrace_goal(line(0.0, -3.0)), {0, 0, 0}, kTurningRadiusM);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   EXPECT_EQ(path.id, 3);
   EXPECT_NEAR(path.reached_m, 3.0, 1e-9);
@@ -59,14 +61,14 @@ TEST(Retrace, DrivesStraightBackInReverse) {
 }
 
 TEST(Retrace, DrivesForwardsWhereTheRobotCameInReverse) {
-  const PlannedPath path = retrace(retrace_goal(line(0.0, 2.0)), {0, 0, 0.05});
+  const PlannedPath path = retrace(retrace_goal(line(0.0, 2.0)), {0, 0, 0.05}, kTurningRadiusM);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   for (const PathPoint& point : path.points) EXPECT_FALSE(point.reverse);
 }
 
 TEST(Retrace, FollowsABend) {
   const auto traversed = circle(5.0);
-  const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0});
+  const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   ASSERT_EQ(path.points.size(), traversed.size());
   for (std::size_t i = 0; i < traversed.size(); ++i) {
@@ -81,7 +83,7 @@ TEST(Retrace, FollowsABend) {
 TEST(Retrace, RepeatsAChangeOfDirection) {
   auto traversed = line(0.0, -2.0);
   for (const Pose2& pose : line(-1.8, 1.0)) traversed.push_back(pose);
-  const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0});
+  const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   EXPECT_NEAR(path.reached_m, 5.0, 1e-9);
   EXPECT_NEAR(path.points.back().T_odom_body.x, 1.0, 1e-9);
@@ -91,14 +93,47 @@ TEST(Retrace, RepeatsAChangeOfDirection) {
 TEST(Retrace, IsNoLongerThanTheGoalAllows) {
   PlanGoal goal = retrace_goal(line(0.0, -8.0));
   goal.distance_m = 3.0;
-  EXPECT_NEAR(retrace(goal, {0, 0, 0}).reached_m, 3.0, 1e-9);
+  EXPECT_NEAR(retrace(goal, {0, 0, 0}, kTurningRadiusM).reached_m, 3.0, 1e-9);
 }
 
 /// A traversed path of which only parts are near is followed to the first gap.
 TEST(Retrace, EndsAtAGap) {
   auto traversed = line(0.0, -2.0);
   for (const Pose2& pose : line(-4.0, -6.0)) traversed.push_back(pose);
-  EXPECT_NEAR(retrace(retrace_goal(traversed), {0, 0, 0}).reached_m, 2.0, 1e-9);
+  EXPECT_NEAR(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 2.0, 1e-9);
+}
+
+/// Ground that was driven with the other end ahead: the robot would have to turn on the spot.
+TEST(Retrace, IsBlockedWhereTheTraversedPathFacesTheOtherEnd) {
+  const double pi = std::numbers::pi;
+  for (const double heading : {pi, 0.9 * pi, -0.6 * pi}) {
+    const PlannedPath path = retrace(retrace_goal(line(-0.3, -4.0, heading)), {0, 0, 0}, 0.5);
+    EXPECT_EQ(path.outcome, PlanOutcome::kBlocked) << heading;
+  }
+}
+
+/// Nor does a vehicle with wheels move sideways.
+TEST(Retrace, IsBlockedByGroundBesideTheRobot) {
+  auto traversed = line(-0.2, -4.0);
+  for (Pose2& pose : traversed) pose.y = 0.4;
+  EXPECT_EQ(retrace(retrace_goal(traversed), {0, 0, 0}, 0.5).outcome, PlanOutcome::kBlocked);
+}
+
+/// Where the robot came back to an earlier pose the traversed path has a small jump.
+TEST(Retrace, CrossesJumpsAsLargeAsTheAccuracyOfAPath) {
+  auto traversed = line(0.0, -2.0);
+  for (const Pose2& pose : line(-2.2, -4.0)) traversed.push_back({pose.x, 0.08, 0.08});
+  EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 3.9);
+}
+
+/// A jump beyond that ends the path before it, at whichever radius the vehicle turns.
+TEST(Retrace, EndsBeforeATurnThatIsTooTight) {
+  auto traversed = line(0.0, -2.0);
+  const Pose2 bend = traversed.back() * along_arc(-0.2, 0.3);
+  traversed.push_back(bend);
+  for (int i = 1; i <= 10; ++i) traversed.push_back(bend * Pose2{-0.2 * i, 0.0, 0.0});
+  EXPECT_NEAR(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 2.0, 1e-9);
+  EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, 0.6).reached_m, 4.1);
 }
 
 class Rejoin : public testing::Test {
@@ -155,7 +190,7 @@ TEST_F(Rejoin, NeedsNoObservedGroundOnTheTraversedPath) {
 
 TEST(Retrace, IsBlockedWithoutATraversedPath) {
   for (const auto& traversed : {std::vector<Pose2>{}, line(0.0, -0.2), line(-2.0, -4.0)}) {
-    const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0});
+    const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM);
     EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
     EXPECT_TRUE(path.points.empty());
     EXPECT_FALSE(path.reason.empty());

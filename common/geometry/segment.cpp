@@ -5,13 +5,6 @@
 #include <algorithm>
 
 namespace adit {
-namespace {
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-}  // namespace
 
 Eigen::Vector2d nearest_point(const Segment2& segment, const Eigen::Vector2d& p) {
   const Eigen::Vector2d along = segment.to - segment.from;

@@ -6,6 +6,11 @@
 
 namespace adit {
 
+/// The area of the parallelogram of two vectors: positive where `b` points to the left of `a`.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// A straight line between two points of the plane, which may be the same.
 struct Segment2 {
   Eigen::Vector2d from{0.0, 0.0};

@@ -45,12 +45,9 @@ void MapPanel::draw(const RgbImage& image, const std::string& title) const {
   canvas_.image(image, left_, top_, width, height);
 }
 
-void MapPanel::outline(const Pose2& T_level_body, double length_m, double width_m) const {
-  const double x = length_m / 2.0;
-  const double y = width_m / 2.0;
+void MapPanel::outline(const Pose2& T_level_body, const ConvexPolygon& outline) const {
   cairo_new_path(canvas_.cairo());  // drawing text leaves a current point
-  for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-x, -y), Eigen::Vector2d(x, -y),
-                                        Eigen::Vector2d(x, y), Eigen::Vector2d(-x, y)}) {
+  for (const Eigen::Vector2d& corner : outline.corners()) {
     const Eigen::Vector2d at = pixel(T_level_body * corner);
     cairo_line_to(canvas_.cairo(), at.x(), at.y());
   }
@@ -58,15 +55,16 @@ void MapPanel::outline(const Pose2& T_level_body, double length_m, double width_
   cairo_stroke(canvas_.cairo());
 }
 
-void MapPanel::draw_vehicle(const Pose2& T_level_body, double length_m, double width_m) const {
+void MapPanel::draw_vehicle(const Pose2& T_level_body, const ConvexPolygon& outline) const {
   for (const auto& [colour, width] : {std::pair(kOpen, 4.0), std::pair(kStart, 2.0)}) {
     canvas_.colour(colour);
     cairo_set_line_width(canvas_.cairo(), width_ < kNarrow ? width / 2.0 : width);
-    outline(T_level_body, length_m, width_m);
+    this->outline(T_level_body, outline);
   }
+  const Eigen::Vector2d& half = outline.high();
   for (const Eigen::Vector2d& corner :
-       {Eigen::Vector2d(0.4 * length_m, 0.0), Eigen::Vector2d(0.0, 0.35 * width_m),
-        Eigen::Vector2d(0.0, -0.35 * width_m)}) {
+       {Eigen::Vector2d(0.8 * half.x(), 0.0), Eigen::Vector2d(0.0, 0.7 * half.y()),
+        Eigen::Vector2d(0.0, -0.7 * half.y())}) {
     const Eigen::Vector2d at = pixel(T_level_body * corner);
     cairo_line_to(canvas_.cairo(), at.x(), at.y());
   }

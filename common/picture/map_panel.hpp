@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/picture/canvas.hpp"
 #include "common/picture/legend.hpp"
@@ -31,9 +32,9 @@ class MapPanel {
   /// Draws an image with one pixel per cell.
   void draw(const RgbImage& image, const std::string& title) const;
   /// Draws the outline of a vehicle with an arrow that points ahead.
-  void draw_vehicle(const Pose2& T_level_body, double length_m, double width_m) const;
-  /// Draws the outline of a rectangle centred at a pose.
-  void outline(const Pose2& T_level_body, double length_m, double width_m) const;
+  void draw_vehicle(const Pose2& T_level_body, const ConvexPolygon& outline) const;
+  /// Draws the outline at a pose.
+  void outline(const Pose2& T_level_body, const ConvexPolygon& outline) const;
   /// Draws scale bar and legend. Returns their lower end [pixels].
   [[nodiscard]] double finish(const Legend& legend) const;
   /// Lower end of the map [pixels].

@@ -64,7 +64,7 @@ void draw_outlines(const MapPanel& panel, const PlanPicture& picture) {
     if (since_outline_m < kOutlineEveryM && i + 1 < points.size()) continue;
     since_outline_m = 0.0;
     panel.canvas().colour(along_path(static_cast<double>(i) / static_cast<double>(points.size())));
-    panel.outline(in_level(panel, points[i].T_odom_body), picture.length_m, picture.width_m);
+    panel.outline(in_level(panel, points[i].T_odom_body), picture.outline);
   }
 }
 
@@ -125,7 +125,7 @@ void draw_plan(const MapPanel& panel, const PlanPicture& picture) {
   draw_outlines(panel, picture);
   draw_path_line(panel, picture.path);
   draw_blocking(panel, picture.path);
-  panel.draw_vehicle({}, picture.length_m, picture.width_m);
+  panel.draw_vehicle({}, picture.outline);
   panel.unclip();
 }
 
@@ -180,7 +180,7 @@ double draw_layer(const Canvas& canvas, const PlanPicture& picture, TerrainLayer
                   double top, double width) {
   const MapPanel panel(canvas, picture.terrain, left, top, width);
   panel.draw(terrain_image(picture.terrain, layer), title_of(layer));
-  panel.draw_vehicle({}, picture.length_m, picture.width_m);
+  panel.draw_vehicle({}, picture.outline);
   return panel.finish(legend_of(layer));
 }
 

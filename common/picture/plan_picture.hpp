@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/picture/rgb_image.hpp"
 #include "common/types/planned_path.hpp"
@@ -40,8 +41,7 @@ struct PlanPicture {
   std::string title;  ///< one line, UTF-8
   TerrainMap terrain;
   PlannedPath path;
-  double length_m = 0.0;              ///< of the vehicle
-  double width_m = 0.0;               ///< of the vehicle
+  ConvexPolygon outline{{}};          ///< of the vehicle, in the body frame
   std::vector<GreyCells> slices;      ///< of the C-space, with the cells of the terrain
   std::vector<GreyCells> kernels;     ///< small, drawn enlarged
   std::vector<std::uint8_t> reached;  ///< 1: cells that the robot can reach; or empty

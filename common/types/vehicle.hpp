@@ -3,10 +3,23 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "common/config/bounds.hpp"
 
 namespace adit {
+
+/// A corner of the outline of the vehicle from above, in the body frame.
+struct FootprintCorner {
+  double x_m = 0.0;
+  double y_m = 0.0;
+
+  template <class V>
+  void visit(V& v) {
+    v("x_m", x_m);
+    v("y_m", y_m);
+  }
+};
 
 /// Dimensions and limits of the vehicle. The body's origin is the middle of the vehicle on the
 /// ground. Defaults are those of Groundhog, where known (docs/decisions/simulator.md).
@@ -14,8 +27,10 @@ struct Vehicle {
   static constexpr const char* kSection = "vehicle";
 
   double mass_kg = 680.0;
-  double length_m = 2.4;           ///< of the footprint, along x
-  double width_m = 1.2;            ///< of the footprint, along y
+  double length_m = 2.4;  ///< of the footprint, along x
+  double width_m = 1.2;   ///< of the footprint, along y
+  /// Corners of the footprint where it is no rectangle: see body_outline().
+  std::vector<FootprintCorner> footprint = {};
   double height_m = 1.0;           ///< of the highest point above the ground
   double belly_clearance_m = 0.3;  ///< of the lowest point between the wheels above the ground
   double wheelbase_m = 1.5;        ///< axle to axle, centred on the origin
@@ -38,6 +53,7 @@ struct Vehicle {
     v("mass_kg", mass_kg, above(0.0));
     v("length_m", length_m, above(0.0));
     v("width_m", width_m, above(0.0));
+    v("footprint", footprint);
     v("height_m", height_m, above(0.0));
     v("belly_clearance_m", belly_clearance_m, above(0.0));
     v("wheelbase_m", wheelbase_m, above(0.0));

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/types/body_outline.hpp"
+
 namespace adit {
 namespace {
 
@@ -51,10 +53,31 @@ bool has_moved(const std::optional<Pose2>& from, const Pose2& to, double by_m = 
   return !from || is_apart(*from, to, by_m, by_rad);
 }
 
+/// Points of the footprint, closer than the cells, and along its outline.
+std::vector<Eigen::Vector2d> points_all_over(const ConvexPolygon& outline) {
+  std::vector<Eigen::Vector2d> points = outline.boundary(kSampleM);
+  const Eigen::Vector2d size = outline.high() - outline.low();
+  const auto steps = [](double length_m) {
+    return static_cast<int>(std::ceil(length_m / kSampleM));
+  };
+  for (int i = 0; i <= steps(size.x()); ++i) {
+    for (int j = 0; j <= steps(size.y()); ++j) {
+      const Eigen::Vector2d p = outline.low() + size.cwiseProduct(Eigen::Vector2d(
+                                                    static_cast<double>(i) / steps(size.x()),
+                                                    static_cast<double>(j) / steps(size.y())));
+      if (outline.contains(p)) points.push_back(p);
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 BlindSideMemory::BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser)
-    : vehicle_(vehicle), laser_(laser) {}
+    : outline_(body_outline(vehicle)),
+      edge_(outline_.grown(-kInsideM).boundary(kSampleM)),
+      footprint_(points_all_over(outline_)),
+      laser_(laser) {}
 
 void BlindSideMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
@@ -141,31 +164,15 @@ double BlindSideMemory::known_m(const ArcMotion& motion, double within_m) const 
 
 /// Whether all of the outline is known: what is inside has been passed by the outline before.
 bool BlindSideMemory::is_known(const Pose2& T_odom_body) const {
-  const double x_m = std::max(0.0, 0.5 * vehicle_.length_m - kInsideM);
-  const double y_m = std::max(0.0, 0.5 * vehicle_.width_m - kInsideM);
-  const auto known = [&](double x, double y) {
-    const Eigen::Vector2d p_odom = T_odom_body * Eigen::Vector2d(x, y);
-    const Eigen::Vector2i cell = cell_of(p_odom);
-    return is_under_body(p_odom) || known_.get(cell) != 0;
-  };
-  const int along = static_cast<int>(std::ceil(2.0 * x_m / kSampleM));
-  for (int i = 0; i <= along; ++i) {
-    const double x = -x_m + 2.0 * x_m * i / along;
-    if (!known(x, -y_m) || !known(x, y_m)) return false;
-  }
-  const int across = static_cast<int>(std::ceil(2.0 * y_m / kSampleM));
-  for (int i = 0; i <= across; ++i) {
-    const double y = -y_m + 2.0 * y_m * i / across;
-    if (!known(-x_m, y) || !known(x_m, y)) return false;
-  }
-  return true;
+  return std::ranges::all_of(edge_, [&](const Eigen::Vector2d& p_body) {
+    const Eigen::Vector2d p_odom = T_odom_body * p_body;
+    return is_under_body(p_odom) || known_.get(cell_of(p_odom)) != 0;
+  });
 }
 
 /// The body is up to kMovedM ahead of the last place that was added.
 bool BlindSideMemory::is_under_body(const Eigen::Vector2d& p_odom) const {
-  const Eigen::Vector2d p_body = T_odom_body_->inverse() * p_odom;
-  return std::abs(p_body.x()) <= 0.5 * vehicle_.length_m &&
-         std::abs(p_body.y()) <= 0.5 * vehicle_.width_m;
+  return outline_.contains(T_odom_body_->inverse() * p_odom);
 }
 
 /// A new place replaces those that are the same but for a fraction of a cell: their number is
@@ -195,15 +202,9 @@ void BlindSideMemory::forget_old_places() {
 
 /// The footprint, and what was seen from there.
 void BlindSideMemory::mark(const Place& place) {
-  const int along = static_cast<int>(std::ceil(vehicle_.length_m / kSampleM));
-  const int across = static_cast<int>(std::ceil(vehicle_.width_m / kSampleM));
-  for (int i = 0; i <= along; ++i) {
-    for (int j = 0; j <= across; ++j) {
-      const Eigen::Vector2d p_body(vehicle_.length_m * (static_cast<double>(i) / along - 0.5),
-                                   vehicle_.width_m * (static_cast<double>(j) / across - 0.5));
-      const Eigen::Vector2i cell = cell_of(place.T_odom_body * p_body);
-      if (known_.contains(cell)) known_.at(cell) = 1;
-    }
+  for (const Eigen::Vector2d& p_body : footprint_) {
+    const Eigen::Vector2i cell = cell_of(place.T_odom_body * p_body);
+    if (known_.contains(cell)) known_.at(cell) = 1;
   }
   const Eigen::Vector2d p_body_laser = laser_.T_body_laser.translation();
   for (std::size_t i = 0; i < place.free_m.size(); ++i) {
@@ -224,8 +225,7 @@ void BlindSideMemory::mark_all_near() {
 
 /// Whether it may reach into the cells.
 bool BlindSideMemory::is_near(const Place& place) const {
-  const double reach_m =
-      std::hypot(vehicle_.length_m, vehicle_.width_m) + (place.free_m.empty() ? 0.0 : kRangeM);
+  const double reach_m = 2.0 * outline_.radius_m() + (place.free_m.empty() ? 0.0 : kRangeM);
   return between(place.T_odom_body, *T_odom_body_).translation().norm() <
          std::numbers::sqrt2 * kReachM + kMoveCellsM + reach_m;
 }

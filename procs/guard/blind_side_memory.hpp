@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/pose_graph/map_correction.hpp"
@@ -61,7 +62,9 @@ class BlindSideMemory {
   [[nodiscard]] bool is_known(const Pose2& T_odom_body) const;
   [[nodiscard]] bool is_under_body(const Eigen::Vector2d& p_odom) const;
 
-  Vehicle vehicle_;
+  ConvexPolygon outline_;
+  std::vector<Eigen::Vector2d> edge_;       ///< points just inside the outline, in the body frame
+  std::vector<Eigen::Vector2d> footprint_;  ///< points all over it
   LaserMount laser_;
   std::optional<Pose2> T_odom_body_;
   std::optional<Pose2> T_odom_observed_;  ///< at the last scan that was added

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "common/types/body_outline.hpp"
+
 namespace adit {
 namespace {
 
@@ -45,7 +47,7 @@ Eigen::Isometry2d in_plane(const Pose2& T_a_b) {
 }  // namespace
 
 FlankMemory::FlankMemory(const Vehicle& vehicle, const Lasers& lasers)
-    : half_footprint_m_(0.5 * vehicle.length_m, 0.5 * vehicle.width_m),
+    : outline_(body_outline(vehicle)),
       front_x_m_(lasers.front.T_body_laser.x),
       rear_x_m_(lasers.has_rear() ? lasers.rear.T_body_laser.x
                                   : -0.5 * vehicle.length_m - kBehindM),
@@ -92,12 +94,12 @@ bool FlankMemory::is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) 
   const double ahead_m =
       laser == LaserId::kFront ? p_body.x() - front_x_m_ : rear_x_m_ - p_body.x();
   return ahead_m >= 0.0 && ahead_m <= kViewEdgeM &&
-         std::abs(p_body.y()) <= half_footprint_m_.y() + kBesideM;
+         std::abs(p_body.y()) <= outline_.high().y() + kBesideM;
 }
 
 bool FlankMemory::is_beside(const Eigen::Vector2d& p_body) const {
-  const double beside_m = std::abs(p_body.y()) - half_footprint_m_.y();
-  const bool in_footprint = beside_m <= 0.0 && std::abs(p_body.x()) <= half_footprint_m_.x();
+  const double beside_m = std::abs(p_body.y()) - outline_.high().y();
+  const bool in_footprint = outline_.contains(p_body);
   if (p_body_lidar_) return !in_footprint && from_lidar_m(p_body) <= range_min_m_ + kViewEdgeM;
   return !in_footprint && beside_m <= kBesideM && p_body.x() <= front_x_m_ + kViewEdgeM &&
          p_body.x() >= rear_x_m_ - kViewEdgeM;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
@@ -49,7 +50,7 @@ class FlankMemory {
   [[nodiscard]] bool is_beside(const Eigen::Vector2d& p_body) const;
   void update_points();
 
-  Eigen::Vector2d half_footprint_m_;
+  ConvexPolygon outline_;
   double front_x_m_;
   double rear_x_m_;
   bool has_rear_;

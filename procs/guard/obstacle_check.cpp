@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
+
+#include "common/types/body_outline.hpp"
 
 namespace adit {
 namespace {
@@ -15,7 +18,8 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kStraight = 1e-5;  // curvature [1/m]: 0.02 mm beside a line after 2 m
 constexpr double kTurnM = 0.15;     // along the arc, over which a close point comes nearer
 constexpr double kNearerM = 0.002;  // less is an error of the steering
-constexpr double kRounding = 1e-9;  // of a point on an edge [rad]
+constexpr double kRounding = 1e-9;  // of a point on an edge [m, rad]
+constexpr double kParallel = 1e-9;  // cosine of an edge that a point does not come nearer to
 
 double clamped_curvature(const Vehicle& vehicle, double curvature_1_m) {
   const double max = 1.0 / vehicle.turning_radius_m;
@@ -36,26 +40,23 @@ ArcSweep::ArcSweep(const Vehicle& vehicle, const ArcMotion& motion, double side_
       curvature_1_m_(clamped_curvature(vehicle, motion.curvature_1_m)),
       straight_(std::abs(curvature_1_m_) < kStraight) {
   if (!straight_) centre_ = centre_of_turn(vehicle, curvature_1_m_);
-  footprint_ = rectangle(0.5 * vehicle.length_m, 0.5 * vehicle.width_m);
-  widened_footprint_ = rectangle(footprint_.x_m, footprint_.y_m + side_margin_m);
+  const ConvexPolygon outline = body_outline(vehicle);
+  footprint_ = ringed(outline);
+  widened_footprint_ = ringed(outline.widened(side_margin_m));
 }
 
-bool ArcSweep::Rectangle::contains(const Eigen::Vector2d& p_body) const {
-  return std::abs(p_body.x()) <= x_m && std::abs(p_body.y()) <= y_m;
-}
-
-ArcSweep::Rectangle ArcSweep::rectangle(double x_m, double y_m) const {
-  const Eigen::Vector2d half(x_m, y_m);
-  const double near = (centre_ - centre_.cwiseMax(-half).cwiseMin(half)).norm();
-  const double far = (centre_.cwiseAbs() + half).norm();
-  return {x_m, y_m, near, far};
+ArcSweep::Footprint ArcSweep::ringed(const ConvexPolygon& outline) const {
+  double far_m = 0.0;
+  for (const Eigen::Vector2d& corner : outline.corners())
+    far_m = std::max(far_m, (corner - centre_).norm());
+  return {outline, outline.distance_m(centre_), far_m};
 }
 
 double ArcSweep::distance_m(const Eigen::Vector2d& p_body) const {
-  if (footprint_.contains(p_body)) return p_body.x() * direction_ > 0.0 ? 0.0 : kNoContact;
-  const bool is_close = widened_footprint_.contains(p_body);
+  if (footprint_.outline.contains(p_body)) return p_body.x() * direction_ > 0.0 ? 0.0 : kNoContact;
+  const bool is_close = widened_footprint_.outline.contains(p_body);
   if (is_close && turns_towards(p_body)) return 0.0;
-  const Rectangle& footprint = is_close ? footprint_ : widened_footprint_;
+  const Footprint& footprint = is_close ? footprint_ : widened_footprint_;
   return straight_ ? straight_distance_m(p_body, footprint) : distance_m(p_body, footprint);
 }
 
@@ -71,34 +72,40 @@ double ArcSweep::reach_m(double distance_m) const {
   const double corner_distance_m =
       straight_ ? distance_m
                 : distance_m * std::abs(curvature_1_m_) * widened_footprint_.radius_max_m;
-  return std::hypot(widened_footprint_.x_m, widened_footprint_.y_m) + corner_distance_m;
+  return widened_footprint_.outline.radius_m() + corner_distance_m;
 }
 
 double ArcSweep::straight_distance_m(const Eigen::Vector2d& p_body,
-                                     const Rectangle& footprint) const {
-  const double ahead_m = p_body.x() * direction_ - footprint.x_m;
-  return std::abs(p_body.y()) <= footprint.y_m && ahead_m >= 0.0 ? ahead_m : kNoContact;
+                                     const Footprint& footprint) const {
+  const ConvexPolygon& outline = footprint.outline;
+  if (p_body.y() < outline.low().y() || p_body.y() > outline.high().y()) return kNoContact;
+  // The point passes the lines of all edges ahead before it is inside.
+  double ahead_m = -kNoContact;
+  for (const ConvexPolygon::Edge& edge : outline.edges()) {
+    const double approach = direction_ * edge.normal.x();
+    if (approach <= kParallel) continue;
+    ahead_m = std::max(ahead_m, (edge.normal.dot(p_body) - edge.offset_m) / approach);
+  }
+  return ahead_m >= 0.0 ? ahead_m : kNoContact;
 }
 
-double ArcSweep::distance_m(const Eigen::Vector2d& p_body, const Rectangle& footprint) const {
+double ArcSweep::distance_m(const Eigen::Vector2d& p_body, const Footprint& footprint) const {
   const Eigen::Vector2d from = p_body - centre_;
   const double radius = from.norm();
   if (radius < footprint.radius_min_m || radius > footprint.radius_max_m) return kNoContact;
+  const auto& corners = footprint.outline.corners();
   double turn = kNoContact;
-  const auto cross = [&](int axis, double edge, double other_half_m) {
-    const double along = edge - centre_[axis];
-    const double across = std::sqrt(radius * radius - along * along);  // NaN: no intersection
-    for (const double side : {across, -across}) {
-      if (!(std::abs(side + centre_[1 - axis]) <= other_half_m)) continue;
-      Eigen::Vector2d to;
-      to[axis] = along;
-      to[1 - axis] = side;
-      turn = std::min(turn, turn_rad(from, to));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const ConvexPolygon::Edge& edge = footprint.outline.edges()[i];
+    const Eigen::Vector2d along(-edge.normal.y(), edge.normal.x());
+    const double first_m = along.dot(corners[i] - centre_) - kRounding;
+    const double last_m = along.dot(corners[(i + 1) % corners.size()] - centre_) + kRounding;
+    const double beside_m = edge.offset_m - edge.normal.dot(centre_);
+    const double across = std::sqrt(radius * radius - beside_m * beside_m);
+    for (const double side : {across, -across}) {  // NaN: no intersection
+      if (!(side >= first_m && side <= last_m)) continue;
+      turn = std::min(turn, turn_rad(from, beside_m * edge.normal + side * along));
     }
-  };
-  for (const double sign : {1.0, -1.0}) {
-    cross(0, sign * footprint.x_m, footprint.y_m);
-    cross(1, sign * footprint.y_m, footprint.x_m);
   }
   return turn / std::abs(curvature_1_m_);
 }

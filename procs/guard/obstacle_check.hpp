@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/convex_polygon.hpp"
 #include "common/sensing/obstacle_points.hpp"
 #include "common/types/vehicle.hpp"
 
@@ -46,28 +47,25 @@ class ArcSweep {
   [[nodiscard]] double reach_m(double distance_m) const;
 
  private:
-  struct Rectangle {
-    double x_m;                 ///< half the length
-    double y_m;                 ///< half the width
+  struct Footprint {
+    ConvexPolygon outline{{}};
     double radius_min_m = 0.0;  ///< of the ring around the centre of the circle
     double radius_max_m = 0.0;
-
-    [[nodiscard]] bool contains(const Eigen::Vector2d& p_body) const;
   };
 
   [[nodiscard]] bool turns_towards(const Eigen::Vector2d& p_body) const;
-  [[nodiscard]] Rectangle rectangle(double x_m, double y_m) const;
-  [[nodiscard]] double distance_m(const Eigen::Vector2d& p_body, const Rectangle& footprint) const;
+  [[nodiscard]] Footprint ringed(const ConvexPolygon& outline) const;
+  [[nodiscard]] double distance_m(const Eigen::Vector2d& p_body, const Footprint& footprint) const;
   [[nodiscard]] double straight_distance_m(const Eigen::Vector2d& p_body,
-                                           const Rectangle& footprint) const;
+                                           const Footprint& footprint) const;
   [[nodiscard]] double turn_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
   double direction_;  ///< 1 forward, -1 in reverse
   double curvature_1_m_;
   bool straight_;
   Eigen::Vector2d centre_{0.0, 0.0};  ///< of the circle, in the body frame
-  Rectangle footprint_;
-  Rectangle widened_footprint_;
+  Footprint footprint_;
+  Footprint widened_footprint_;
 };
 
 struct ObstacleParams {

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "common/types/body_outline.hpp"
 #include "procs/planning/blocking_evidence.hpp"
 #include "procs/planning/c_space/unobserved_ground.hpp"
 
@@ -105,8 +106,13 @@ GroundLimits without_margins(GroundLimits limits) {
 /// Obstacles of the terrain map extend up to a cell beyond the true ones, which narrows a gap on
 /// either side; a vehicle that is smaller by as much compensates for it.
 Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
-  vehicle.length_m -= 2.0 * cell_m;
-  vehicle.width_m -= 2.0 * cell_m;
+  const ConvexPolygon outline = body_outline(vehicle).grown(-cell_m);
+  const bool is_rectangle = vehicle.footprint.empty();
+  vehicle.footprint.clear();
+  for (const Eigen::Vector2d& corner : outline.corners())
+    if (!is_rectangle) vehicle.footprint.push_back({corner.x(), corner.y()});
+  vehicle.length_m = outline.high().x() - outline.low().x();
+  vehicle.width_m = outline.high().y() - outline.low().y();
   vehicle.track_m -= 2.0 * cell_m;
   return vehicle;
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "common/types/body_outline.hpp"
 #include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/lattice/lattice.hpp"
 
@@ -19,29 +20,15 @@ constexpr double kEndClearanceMinM = 0.4;
 constexpr double kStepM = 0.1;
 constexpr double kWidthReserveM = 0.4;  // for margins and the cell size
 
-/// Minimum distance to marked ground along the edges of a rectangle, sampled at each cell; at most
+/// Minimum distance to marked ground along the edges of a polygon, sampled at each cell; at most
 /// `max_m`.
-double edge_distance_m(const BodyRectangle& rectangle, const Pose2& T_level_body,
+double edge_distance_m(const ConvexPolygon& polygon, const Pose2& T_level_body,
                        const Grid2<float>& distances, const TerrainMap& terrain, double max_m) {
   double distance_m = max_m;
-  const auto sample = [&](double x, double y) {
-    const Eigen::Vector2i cell = terrain.cell_at(T_level_body * Eigen::Vector2d(x, y));
-    if (!distances.contains(cell)) return;
+  for (const Eigen::Vector2d& p_body : polygon.boundary(terrain.cell_m)) {
+    const Eigen::Vector2i cell = terrain.cell_at(T_level_body * p_body);
+    if (!distances.contains(cell)) continue;
     distance_m = std::min(distance_m, static_cast<double>(distances.at(cell)));
-  };
-  const Eigen::Vector2d low = rectangle.middle - rectangle.half;
-  const Eigen::Vector2d high = rectangle.middle + rectangle.half;
-  const int along = static_cast<int>(std::ceil(2.0 * rectangle.half.x() / terrain.cell_m));
-  const int across = static_cast<int>(std::ceil(2.0 * rectangle.half.y() / terrain.cell_m));
-  for (int i = 0; i <= along; ++i) {
-    const double x = std::lerp(low.x(), high.x(), static_cast<double>(i) / along);
-    sample(x, low.y());
-    sample(x, high.y());
-  }
-  for (int i = 0; i <= across; ++i) {
-    const double y = std::lerp(low.y(), high.y(), static_cast<double>(i) / across);
-    sample(low.x(), y);
-    sample(high.x(), y);
   }
   return distance_m;
 }
@@ -49,7 +36,7 @@ double edge_distance_m(const BodyRectangle& rectangle, const Pose2& T_level_body
 double wheel_clearance_m(const Pose2& T_level_body, const Vehicle& vehicle,
                          const GroundLayers& layers, const TerrainMap& terrain, double max_m) {
   double distance_m = max_m;
-  for (const BodyRectangle& track : wheel_tracks(vehicle)) {
+  for (const ConvexPolygon& track : wheel_tracks(vehicle)) {
     distance_m = edge_distance_m(track, T_level_body, layers.wheel_distance_m, terrain, distance_m);
   }
   return distance_m;
@@ -65,7 +52,7 @@ double clearance_m(const Pose2& T_level_body, const Vehicle& vehicle, const Grou
 /// Width of a tunnel in which the vehicle can turn by π/2 into another one of the same width: its
 /// outer side follows the outer walls, and its inner side passes the corner.
 double turning_tunnel_width_m(const Vehicle& vehicle) {
-  const Eigen::Vector2d half = body_outline(vehicle).half;
+  const Eigen::Vector2d half = body_outline(vehicle).high();
   const double outer_m = std::hypot(vehicle.turning_radius_m + half.y(), half.x());
   const double inner_m = std::max(0.0, vehicle.turning_radius_m - half.y());
   return outer_m - inner_m / std::numbers::sqrt2 + kWidthReserveM;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "common/types/body_outline.hpp"
+
 namespace adit {
 namespace {
 
@@ -59,8 +61,7 @@ PlanPicture planning_picture(const std::string& title, const TerrainMap& terrain
   picture.title = title;
   picture.terrain = terrain;
   picture.path = path;
-  picture.length_m = vehicle.length_m;
-  picture.width_m = vehicle.width_m;
+  picture.outline = body_outline(vehicle);
   if (!planning.kernels() || !planning.ground()) return picture;
   picture.reached = planning.ground()->reached;
   const CSpaceKernels& kernels = *planning.kernels();

@@ -3,11 +3,14 @@
 #include "sim/vehicle/surroundings.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "common/geometry/clipping.hpp"
 #include "common/geometry/ring.hpp"
+#include "common/types/body_outline.hpp"
 
 namespace adit {
 namespace {
@@ -27,6 +30,24 @@ std::pair<float, float> span_z(const TriangleMesh& mesh) {
   return {low, high};
 }
 
+/// Whether a triangle of the mesh reaches into the body, which has the same outline from the belly
+/// to the top.
+bool is_within(const TriangleMesh& mesh, std::uint32_t triangle, const Vehicle& vehicle,
+               const Eigen::Isometry3d& T_body_world) {
+  std::vector<Eigen::Vector3d> corners;
+  for (const std::uint32_t vertex : mesh.triangles[triangle])
+    corners.emplace_back(T_body_world * mesh.vertices[vertex].cast<double>());
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  corners = clipped(corners, up, vehicle.height_m);
+  corners = clipped<Eigen::Vector3d>(corners, -up, -vehicle.belly_clearance_m);
+  const ConvexPolygon outline = body_outline(vehicle);
+  for (const ConvexPolygon::Edge& edge : outline.edges()) {
+    const Eigen::Vector3d normal(edge.normal.x(), edge.normal.y(), 0.0);
+    corners = clipped(corners, normal, edge.offset_m);
+  }
+  return !corners.empty();
+}
+
 }  // namespace
 
 std::optional<std::string> colliding_part(const RayScene& scene, const Vehicle& vehicle,
@@ -36,7 +57,13 @@ std::optional<std::string> colliding_part(const RayScene& scene, const Vehicle& 
   OrientedBox box;
   box.T_world_box = T_world_body * Eigen::Translation3d(0.0, 0.0, middle_z);
   box.half_size = {0.5 * vehicle.length_m, 0.5 * vehicle.width_m, half_z};
-  const auto triangles = scene.touching(box);
+  std::vector<std::uint32_t> triangles = scene.touching(box);
+  if (!vehicle.footprint.empty()) {
+    const Eigen::Isometry3d T_body_world = T_world_body.inverse();
+    std::erase_if(triangles, [&](std::uint32_t triangle) {
+      return !is_within(scene.mesh(), triangle, vehicle, T_body_world);
+    });
+  }
   if (triangles.empty()) return std::nullopt;
   return scene.mesh().part_of(triangles.front()).name;
 }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/types/body_outline.hpp"
 #include "procs/guard/obstacle_check.hpp"
 #include "tools/check_robot/field_of_view.hpp"
 #include "tools/check_robot/lidar_ground.hpp"
@@ -78,7 +79,11 @@ Abilities abilities_of(const RobotConfig& robot) {
   abilities.bump_max_m = std::max(0.0, vehicle.belly_clearance_m - ground.belly_margin_m);
   abilities.slope_max_rad = ground.slope_max_rad;
   const double radius = vehicle.turning_radius_m * (1.0 + robot.planning.primitives.radius_reserve);
-  abilities.turn_width_m = 2.0 * std::hypot(radius + 0.5 * vehicle.width_m, 0.5 * vehicle.length_m);
+  // The corners of the body on the outer side of the turn, about its centre beside the body.
+  for (const Eigen::Vector2d& corner : body_outline(vehicle).corners()) {
+    abilities.turn_width_m =
+        std::max(abilities.turn_width_m, 2.0 * std::hypot(radius + corner.y(), corner.x()));
+  }
   const double step_rad = laser.field_of_view_rad / std::max(1, robot.sim.laser.beams - 1);
   abilities.scan_period_s = laser.timing.scan_period_s(step_rad);
   const auto stopping_m = [&](double speed) {

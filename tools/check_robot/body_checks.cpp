@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/types/body_outline.hpp"
 #include "tools/check_robot/robot_check.hpp"
 
 namespace adit {
@@ -16,6 +17,7 @@ namespace {
 constexpr double kSteeringAngleMaxRad = 1.0;  // of a wheel; more than any steering linkage reaches
 constexpr double kDensityMin = 30.0;          // [kg/m³] of the box around a robot
 constexpr double kDensityMax = 3000.0;
+constexpr double kToleranceM = 0.001;
 constexpr double kCentreOfMassShare = 0.5;  // of the height, the highest that is usual
 
 std::string compare(bool holds, const char* relation, const char* otherwise) {
@@ -71,6 +73,19 @@ void check_wheels(const Vehicle& vehicle, CheckResults& results) {
                 "ground; is wheel_radius_m the diameter?");
 }
 
+/// A footprint that is no rectangle: whether the stages can use it, and the wheels stand on it.
+void check_footprint(const Vehicle& vehicle, CheckResults& results) {
+  if (vehicle.footprint.empty()) return;
+  const ConvexPolygon outline = body_outline(vehicle);
+  const Eigen::Vector2d wheel(vehicle.wheelbase_m / 2.0 + vehicle.wheel_radius_m,
+                              (vehicle.track_m + vehicle.wheel_width_m) / 2.0);
+  add_relation(
+      results, outline.grown(kToleranceM).contains(wheel), "vehicle",
+      fmt::format("footprint with {} corners; the outer corner of a wheel at ({:.3g}, {:.3g}) m",
+                  outline.corners().size(), wheel.x(), wheel.y()),
+      "the wheel stands out of the footprint, which includes all that protrudes");
+}
+
 void check_steering(const Vehicle& vehicle, CheckResults& results) {
   if (vehicle.steering == "skid") {
     check_at_most(results, "track_m / 2", 0.5 * vehicle.track_m, "turning_radius_m",
@@ -109,6 +124,7 @@ void check_attitude(const Vehicle& vehicle, CheckResults& results) {
 void check_body(const RobotConfig& robot, CheckResults& results) {
   const Vehicle& vehicle = robot.vehicle;
   check_wheels(vehicle, results);
+  check_footprint(vehicle, results);
   check_steering(vehicle, results);
   check_attitude(vehicle, results);
   const double volume_m3 = vehicle.length_m * vehicle.width_m * vehicle.height_m;

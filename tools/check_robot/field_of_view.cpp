@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/types/body_outline.hpp"
 
 namespace adit {
 namespace {
@@ -15,25 +17,24 @@ namespace {
 constexpr double kOnTopM = 0.12;
 constexpr int kBearings = 720;
 
-/// Enters [from, to] of a ray into the slab |x| <= half.
-void clip(double p, double direction, double half, double& from, double& to) {
-  if (std::abs(direction) < 1e-12) {
-    if (std::abs(p) > half) to = -1.0;
-    return;
-  }
-  const double a = (-half - p) / direction;
-  const double b = (half - p) / direction;
-  from = std::max(from, std::min(a, b));
-  to = std::min(to, std::max(a, b));
-}
-
-/// Length of a ray of a length inside a box around the origin of the body, of half a size.
-double length_in_box_m(const LaserMount& mount, const Eigen::Vector2d& half, double bearing_rad,
+/// Length of a ray of a length from a laser inside a polygon in the body frame.
+double length_inside_m(const LaserMount& mount, const ConvexPolygon& polygon, double bearing_rad,
                        double length_m) {
+  if (polygon.empty()) return 0.0;
+  const Eigen::Vector2d direction(std::cos(bearing_rad), std::sin(bearing_rad));
   double from = 0.0;
   double to = length_m;
-  clip(mount.T_body_laser.x, std::cos(bearing_rad), half.x(), from, to);
-  clip(mount.T_body_laser.y, std::sin(bearing_rad), half.y(), from, to);
+  for (const ConvexPolygon::Edge& edge : polygon.edges()) {
+    const double inside_m = edge.offset_m - edge.normal.dot(mount.T_body_laser.translation());
+    const double leaving = edge.normal.dot(direction);
+    if (std::abs(leaving) < 1e-12) {
+      if (inside_m < 0.0) return 0.0;
+    } else if (leaving > 0.0) {
+      to = std::min(to, inside_m / leaving);
+    } else {
+      from = std::max(from, inside_m / leaving);
+    }
+  }
   return std::max(0.0, to - from);
 }
 
@@ -50,7 +51,7 @@ bool looks_over_body(const LaserMount& mount, const Vehicle& vehicle) {
 }
 
 double length_in_body_m(const LaserMount& mount, const Vehicle& vehicle, double bearing_rad) {
-  return length_in_box_m(mount, {0.5 * vehicle.length_m, 0.5 * vehicle.width_m}, bearing_rad,
+  return length_inside_m(mount, body_outline(vehicle), bearing_rad,
                          std::numeric_limits<double>::infinity());
 }
 
@@ -62,17 +63,16 @@ bool sees(const LaserMount& mount, const Vehicle& vehicle, const Eigen::Vector2d
   if (std::abs(angle) > 0.5 * mount.field_of_view_rad + 1e-9) return false;
   if (looks_over_body(mount, vehicle)) return true;
   // The laser stands in the edge of the body, up to range_min_m deep.
-  const Eigen::Vector2d half = 0.5 * Eigen::Vector2d(vehicle.length_m, vehicle.width_m) -
-                               Eigen::Vector2d::Constant(mount.range_min_m);
-  return length_in_box_m(mount, half.cwiseMax(0.0), mount.T_body_laser.theta + angle, range_m) ==
-         0.0;
+  const ConvexPolygon inside = body_outline(vehicle).grown(-mount.range_min_m);
+  return length_inside_m(mount, inside, mount.T_body_laser.theta + angle, range_m) == 0.0;
 }
 
 Eigen::Vector2d beside_body(const Vehicle& vehicle, double bearing_rad, double outside_m) {
   const Eigen::Vector2d direction(std::cos(bearing_rad), std::sin(bearing_rad));
-  const Eigen::Vector2d half(0.5 * vehicle.length_m + outside_m, 0.5 * vehicle.width_m + outside_m);
-  const double scale =
-      std::max(std::abs(direction.x()) / half.x(), std::abs(direction.y()) / half.y());
+  const ConvexPolygon outline = body_outline(vehicle);
+  double scale = 0.0;
+  for (const ConvexPolygon::Edge& edge : outline.edges())
+    scale = std::max(scale, edge.normal.dot(direction) / (edge.offset_m + outside_m));
   return direction / scale;
 }
 

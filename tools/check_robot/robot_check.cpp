@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "common/types/body_outline.hpp"
 #include "procs/guard/guard.hpp"
 #include "sim/vehicle/kinematics.hpp"
 
@@ -26,6 +28,16 @@ void construct(CheckResults& results, const char* stage, const std::function<voi
   }
 }
 
+/// Why no stage accepts the footprint; empty if they do.
+std::string fault_of_footprint(const Vehicle& vehicle) {
+  try {
+    body_outline(vehicle);
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
 }  // namespace
 
 void add_relation(CheckResults& results, bool holds, std::string_view property,
@@ -34,8 +46,16 @@ void add_relation(CheckResults& results, bool holds, std::string_view property,
   results.push_back({holds ? Verdict::kGood : Verdict::kBad, std::string(property), text});
 }
 
-CheckResults check_robot(const RobotConfig& robot) {
+RobotConfig with_usable_footprint(RobotConfig robot) {
+  if (!fault_of_footprint(robot.vehicle).empty()) robot.vehicle.footprint.clear();
+  return robot;
+}
+
+CheckResults check_robot(const RobotConfig& given) {
   CheckResults results;
+  const std::string fault = fault_of_footprint(given.vehicle);
+  if (!fault.empty()) results.push_back({Verdict::kBad, "vehicle", fault});
+  const RobotConfig robot = with_usable_footprint(given);
   check_body(robot, results);
   check_lasers(robot, results);
   check_motion(robot, results);

@@ -12,7 +12,11 @@ namespace adit {
 
 /// Whether the relations between the keys of a robot hold, each with its arithmetic; a bad one says
 /// what to correct. Last, what the stages themselves reject.
-CheckResults check_robot(const RobotConfig& robot);
+CheckResults check_robot(const RobotConfig& given);
+
+/// The robot with the rectangle of its length and width in place of a footprint that body_outline()
+/// rejects: the rest of it can be checked and drawn.
+RobotConfig with_usable_footprint(RobotConfig robot);
 
 inline constexpr double kRoundingM = 1e-6;  ///< of sums of lengths that are equal
 

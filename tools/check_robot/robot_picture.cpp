@@ -12,6 +12,7 @@
 #include "common/picture/canvas.hpp"
 #include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
+#include "common/types/body_outline.hpp"
 #include "tools/check_robot/abilities.hpp"
 #include "tools/check_robot/field_of_view.hpp"
 
@@ -44,14 +45,9 @@ struct Plan {
   }
 };
 
-double distance_to_body_m(const Vehicle& vehicle, const Eigen::Vector2d& p_body) {
-  const double x = std::max(0.0, std::abs(p_body.x()) - 0.5 * vehicle.length_m);
-  const double y = std::max(0.0, std::abs(p_body.y()) - 0.5 * vehicle.width_m);
-  return std::hypot(x, y);
-}
-
 void draw_view(const Canvas& canvas, const Plan& plan, const RobotConfig& robot) {
   const std::vector<NamedLaser> lasers = lasers_of(robot.lasers);
+  const ConvexPolygon outline = body_outline(robot.vehicle);
   for (int row = 0; row * kBlockPixels < kHeight; ++row) {
     for (int column = 0; column * kBlockPixels < kWidth; ++column) {
       const double u = plan.left + column * kBlockPixels;
@@ -59,7 +55,7 @@ void draw_view(const Canvas& canvas, const Plan& plan, const RobotConfig& robot)
       const Eigen::Vector2d p = plan.p_body(u + 0.5 * kBlockPixels, v + 0.5 * kBlockPixels);
       const bool seen = std::ranges::any_of(
           lasers, [&](const NamedLaser& laser) { return sees(laser.mount, robot.vehicle, p); });
-      const bool near = distance_to_body_m(robot.vehicle, p) <= kBlindShownM;
+      const bool near = outline.distance_m(p) <= kBlindShownM;
       if (!seen && !near) continue;
       canvas.colour(seen ? kSeen : kBlind);
       canvas.fill_rectangle(u, v, kBlockPixels, kBlockPixels);
@@ -82,9 +78,17 @@ void outline_box(const Canvas& canvas, const Plan& plan, const Eigen::Vector2d& 
   cairo_stroke(canvas.cairo());
 }
 
+void trace(const Canvas& canvas, const Plan& plan, const ConvexPolygon& polygon) {
+  cairo_new_path(canvas.cairo());  // drawing text leaves a current point
+  for (const Eigen::Vector2d& corner : polygon.corners())
+    cairo_line_to(canvas.cairo(), plan.u(corner.x()), plan.v(corner.y()));
+  cairo_close_path(canvas.cairo());
+}
+
 void draw_body(const Canvas& canvas, const Plan& plan, const Vehicle& vehicle) {
   canvas.colour(kBody);
-  fill_box(canvas, plan, {0.0, 0.0}, {vehicle.length_m, vehicle.width_m});
+  trace(canvas, plan, body_outline(vehicle));
+  cairo_fill(canvas.cairo());
   canvas.colour(kWheel);
   for (const double x : {-0.5, 0.5}) {
     for (const double y : {-0.5, 0.5}) {
@@ -93,7 +97,9 @@ void draw_body(const Canvas& canvas, const Plan& plan, const Vehicle& vehicle) {
     }
   }
   canvas.colour(kInk);
-  outline_box(canvas, plan, {0.0, 0.0}, {vehicle.length_m, vehicle.width_m});
+  trace(canvas, plan, body_outline(vehicle));
+  cairo_set_line_width(canvas.cairo(), 2.0);
+  cairo_stroke(canvas.cairo());
 }
 
 void draw_laser(const Canvas& canvas, const Plan& plan, const NamedLaser& laser) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/types/body_outline.hpp"
+#include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/c_space/kernel.hpp"
 
 namespace adit {
@@ -105,11 +107,12 @@ void set_cost_factors(CSpaceKernels::Oriented& kernel, const CSpaceParams& param
   kernel.unknown_max = static_cast<std::uint32_t>(params.unknown_share_max * kernel.wheels.cells);
 }
 
-/// The rectangles shrunk by a margin, without those that vanish.
-std::vector<BodyRectangle> shrunk(const std::vector<BodyRectangle>& rectangles, double margin_m) {
-  std::vector<BodyRectangle> smaller;
-  for (const auto& rectangle : rectangles) {
-    if (rectangle.half.minCoeff() > margin_m) smaller.push_back(rectangle.grown(-margin_m));
+/// The polygons shrunk by a margin, without those that vanish.
+std::vector<ConvexPolygon> shrunk(const std::vector<ConvexPolygon>& polygons, double margin_m) {
+  std::vector<ConvexPolygon> smaller;
+  for (const ConvexPolygon& polygon : polygons) {
+    smaller.push_back(polygon.grown(-margin_m));
+    if (smaller.back().empty()) smaller.pop_back();
   }
   return smaller;
 }
@@ -131,7 +134,7 @@ CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params,
       outside_roughness_(static_cast<std::uint32_t>(
           std::lround(kRoughnessMax * params.ground.unknown_roughness))) {
   const auto wheels = wheel_tracks(vehicle);
-  const std::vector<BodyRectangle> body{body_outline(vehicle)};
+  const std::vector<ConvexPolygon> body{body_outline(vehicle)};
   for (int k = 0; k < headings_.count() / 2; ++k) {
     Oriented kernel;
     kernel.wheels = covering_kernel(wheels, headings_, k, cell_m);

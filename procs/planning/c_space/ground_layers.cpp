@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/grid/distance_transform.hpp"
-#include "procs/planning/c_space/footprint.hpp"
+#include "common/types/body_outline.hpp"
 #include "procs/planning/c_space/leaning_obstacles.hpp"
 #include "procs/planning/c_space/unobserved_ground.hpp"
 
@@ -108,7 +108,7 @@ void mark_leaning(GroundLayers& layers, const TerrainMap& terrain) {
 
 /// Clears the cells under the robot: it stands there, so they are traversable.
 void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
-                     const BodyRectangle& footprint) {
+                     const ConvexPolygon& footprint) {
   const Pose2 T_body_level = T_level_body.inverse();
   for (int row = 0; row < terrain.cells.rows(); ++row) {
     for (int column = 0; column < terrain.cells.columns(); ++column) {
@@ -164,7 +164,7 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
   GroundLayers layers(terrain.cells.columns(), terrain.cells.rows(), terrain.cell_m);
   const Pose2 T_body_level = T_level_body.inverse();
-  const BodyRectangle footprint = body_outline(vehicle);
+  const ConvexPolygon footprint = body_outline(vehicle);
   const BlindZone blind_zone(terrain, T_level_body, vehicle, limits);
   const LeaningObstacles leaning(terrain);
   for (int row = 0; row < terrain.cells.rows(); ++row) {

@@ -6,22 +6,22 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "procs/planning/c_space/footprint.hpp"
+
 namespace adit {
 namespace {
 
-// Growth of the rectangles, which allows a finite number of angles and poses to be tested.
+// Growth of the polygons, which allows a finite number of angles and poses to be tested.
 constexpr double kMarginM = 0.01;
 
-double radius(const std::vector<BodyRectangle>& rectangles) {
+double radius(const std::vector<ConvexPolygon>& polygons) {
   double longest = 0.0;
-  for (const auto& r : rectangles) {
-    longest = std::max(longest, (r.middle.cwiseAbs() + r.half).norm());
-  }
+  for (const ConvexPolygon& polygon : polygons) longest = std::max(longest, polygon.radius_m());
   return longest;
 }
 
-int reach_of(const std::vector<BodyRectangle>& rectangles, double cell_m) {
-  return static_cast<int>(std::ceil((radius(rectangles) + kMarginM) / cell_m)) + 2;
+int reach_of(const std::vector<ConvexPolygon>& polygons, double cell_m) {
+  return static_cast<int>(std::ceil((radius(polygons) + kMarginM) / cell_m)) + 2;
 }
 
 /// Angles so dense that no corner moves more than twice kMarginM from one to the next.
@@ -30,6 +30,24 @@ std::vector<double> angles_between(double first, double last, double radius_m) {
   std::vector<double> angles;
   for (int i = 0; i <= steps; ++i) angles.push_back(first + (last - first) * i / steps);
   return angles;
+}
+
+/// The polygons, grown, at each of some poses.
+std::vector<ConvexPolygon> placed(const std::vector<ConvexPolygon>& polygons, double by_m,
+                                  const std::vector<Pose2>& poses) {
+  std::vector<ConvexPolygon> at_poses;
+  for (const ConvexPolygon& polygon : polygons) {
+    const ConvexPolygon grown = polygon.grown(by_m);
+    for (const Pose2& pose : poses) at_poses.push_back(grown.moved(pose));
+  }
+  return at_poses;
+}
+
+/// Whether any of them meets the square of this half side.
+bool any_meets(const std::vector<ConvexPolygon>& polygons, const Eigen::Vector2d& p,
+               double half_m) {
+  return std::ranges::any_of(
+      polygons, [&](const ConvexPolygon& polygon) { return polygon.meets_square(p, half_m); });
 }
 
 }  // namespace
@@ -49,51 +67,39 @@ RunKernel kernel_of(int reach, const std::function<bool(int, int)>& holds) {
   return kernel;
 }
 
-RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
-                       const std::vector<Pose2>& poses, double cell_m) {
+RunKernel swept_kernel(const std::vector<ConvexPolygon>& polygons, const std::vector<Pose2>& poses,
+                       double cell_m) {
   double distance_m = 0.0;
   for (const Pose2& pose : poses) distance_m = std::max(distance_m, pose.translation().norm());
-  const int reach = reach_of(rectangles, cell_m) + static_cast<int>(std::ceil(distance_m / cell_m));
-  const double far_m = radius(rectangles) + kMarginM + cell_m;
+  const int reach = reach_of(polygons, cell_m) + static_cast<int>(std::ceil(distance_m / cell_m));
+  const auto swept = placed(polygons, kMarginM, poses);
   return kernel_of(reach, [&](int column, int row) {
-    const Eigen::Vector2d p = cell_m * Eigen::Vector2d(column, row);
-    for (const Pose2& pose : poses) {
-      const Eigen::Vector2d away = p - pose.translation();
-      if (away.squaredNorm() > far_m * far_m) continue;
-      for (const auto& rectangle : rectangles) {
-        if (meets_square(rectangle.grown(kMarginM), pose.theta, away, cell_m / 2.0)) return true;
-      }
-    }
-    return false;
+    return any_meets(swept, cell_m * Eigen::Vector2d(column, row), cell_m / 2.0);
   });
 }
 
-RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,
+RunKernel covering_kernel(const std::vector<ConvexPolygon>& polygons, const HeadingSet& headings,
                           int heading, double cell_m) {
-  const Pose2 T_body_grid = Pose2{0.0, 0.0, headings.angle(heading)}.inverse();
-  std::vector<BodyRectangle> rounded;  // includes centres on an edge, whatever the rounding
-  for (const auto& rectangle : rectangles) rounded.push_back(rectangle.grown(1e-6));
-  return kernel_of(reach_of(rectangles, cell_m), [&](int column, int row) {
-    return any_contains(rounded, T_body_grid * (cell_m * Eigen::Vector2d(column, row)));
+  // Includes centres on an edge, whatever the rounding.
+  const auto rounded = placed(polygons, 1e-6, {{0.0, 0.0, headings.angle(heading)}});
+  return kernel_of(reach_of(polygons, cell_m), [&](int column, int row) {
+    return any_contains(rounded, cell_m * Eigen::Vector2d(column, row));
   });
 }
 
-RunKernel conservative_kernel(const std::vector<BodyRectangle>& rectangles,
+RunKernel conservative_kernel(const std::vector<ConvexPolygon>& polygons,
                               const HeadingSet& headings, int heading, double cell_m) {
   const double middle = headings.angle(heading);
   const double first = middle - headings.half_gap(headings.wrapped(heading - 1));
-  const auto angles =
-      angles_between(first, middle + headings.half_gap(heading), radius(rectangles));
+  std::vector<Pose2> poses;
+  for (const double angle :
+       angles_between(first, middle + headings.half_gap(heading), radius(polygons)))
+    poses.push_back({0.0, 0.0, angle});
+  const auto turned = placed(polygons, kMarginM, poses);
   // The body is up to half a cell from the centre of its cell, and so is a point of the other cell:
   // the square has a half side of a full cell.
-  return kernel_of(reach_of(rectangles, cell_m), [&](int column, int row) {
-    const Eigen::Vector2d p = cell_m * Eigen::Vector2d(column, row);
-    for (const auto& rectangle : rectangles) {
-      for (const double angle : angles) {
-        if (meets_square(rectangle.grown(kMarginM), angle, p, cell_m)) return true;
-      }
-    }
-    return false;
+  return kernel_of(reach_of(polygons, cell_m), [&](int column, int row) {
+    return any_meets(turned, cell_m * Eigen::Vector2d(column, row), cell_m);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "procs/planning/c_space/footprint.hpp"
+#include "common/geometry/convex_polygon.hpp"
 #include "procs/planning/c_space/heading_set.hpp"
 
 namespace adit {
@@ -28,20 +28,20 @@ struct RunKernel {
 /// The kernel of the cells within `reach` for which `holds(column, row)` is true.
 RunKernel kernel_of(int reach, const std::function<bool(int, int)>& holds);
 
-/// The cells that any of the rectangles touches at any of the poses, grown by 1 cm. Poses are
+/// The cells that any of the polygons touches at any of the poses, grown by 1 cm. Poses are
 /// relative to the centre of the centre cell.
-RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
-                       const std::vector<Pose2>& poses, double cell_m);
+RunKernel swept_kernel(const std::vector<ConvexPolygon>& polygons, const std::vector<Pose2>& poses,
+                       double cell_m);
 
-/// The cells whose centre is inside one of the rectangles, with the body at the centre of its cell
+/// The cells whose centre is inside one of the polygons, with the body at the centre of its cell
 /// and exactly at a heading of the set.
-RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,
+RunKernel covering_kernel(const std::vector<ConvexPolygon>& polygons, const HeadingSet& headings,
                           int heading, double cell_m);
 
-/// The cells that one of the rectangles may touch with the body anywhere in its cell and at any
+/// The cells that one of the polygons may touch with the body anywhere in its cell and at any
 /// angle that is nearest to this heading of the set. The kernel is complete, and exceeds the exact
 /// set by at most 1 cm.
-RunKernel conservative_kernel(const std::vector<BodyRectangle>& rectangles,
+RunKernel conservative_kernel(const std::vector<ConvexPolygon>& polygons,
                               const HeadingSet& headings, int heading, double cell_m);
 
 /// Prefix sums along the rows of a grid layer: the sum over a run of cells is one difference.

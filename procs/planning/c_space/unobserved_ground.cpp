@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "procs/planning/c_space/footprint.hpp"
+
 namespace adit {
 namespace {
 
@@ -77,18 +79,19 @@ bool continues_level(const TerrainMap& terrain, const Pose2& T_body_level, const
 BlindZone::BlindZone(const TerrainMap& terrain, const Pose2& T_level_body, const Vehicle& vehicle,
                      const GroundLimits& limits)
     : T_body_level_(T_level_body.inverse()) {
-  const BodyRectangle body = body_outline(vehicle);
-  rectangles_.push_back({body.middle, body.half + Eigen::Vector2d(0.0, limits.blind_beside_m)});
+  const Eigen::Vector2d half = Eigen::Vector2d(vehicle.length_m, vehicle.width_m) / 2.0;
+  parts_.push_back(ConvexPolygon::rectangle(Eigen::Vector2d::Zero(),
+                                            half + Eigen::Vector2d(0.0, limits.blind_beside_m)));
   for (const double side : {-1.0, 1.0}) {
     if (!continues_level(terrain, T_body_level_, vehicle, limits, side)) continue;
     const double half_m = limits.blind_ahead_m / 2.0;
-    rectangles_.push_back(
-        {{side * (body.half.x() + half_m), 0.0}, {half_m, body.half.y() + limits.blind_margin_m}});
+    parts_.push_back(ConvexPolygon::rectangle({side * (half.x() + half_m), 0.0},
+                                              {half_m, half.y() + limits.blind_margin_m}));
   }
 }
 
 bool BlindZone::contains(const Eigen::Vector2d& p_level) const {
-  return any_contains(rectangles_, T_body_level_ * p_level);
+  return any_contains(parts_, T_body_level_ * p_level);
 }
 
 namespace {

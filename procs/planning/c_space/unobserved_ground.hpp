@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/c_space/ground_layers.hpp"
 
 namespace adit {
@@ -24,7 +24,7 @@ class BlindZone {
 
  private:
   Pose2 T_body_level_;
-  std::vector<BodyRectangle> rectangles_;
+  std::vector<ConvexPolygon> parts_;
 };
 
 /// The terrain map with the unconfirmed drops set to Ground::kNeverObserved. Beams that pass over

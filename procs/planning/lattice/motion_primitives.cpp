@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/types/body_outline.hpp"
+#include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/lattice/lattice_symmetry.hpp"
 
 namespace adit {
@@ -206,11 +208,12 @@ void MotionPrimitives::sweep(MotionPrimitive& primitive, double factor) {
 void MotionPrimitives::cover(MotionPrimitive& primitive) const {
   const double length = primitive.curve.length_m();
   const double turn = std::abs(primitive.curve.turn_rad);
-  const double corner_m = std::hypot(vehicle_.length_m, vehicle_.width_m) / 2.0;
-  const int samples = static_cast<int>(std::ceil((length + corner_m * turn) / kSampleSpacingM));
+  const ConvexPolygon outline = body_outline(vehicle_);
+  const int samples =
+      static_cast<int>(std::ceil((length + outline.radius_m() * turn) / kSampleSpacingM));
   std::vector<Pose2> poses;
   for (int i = 0; i <= samples; ++i) poses.push_back(forward_pose(primitive, length * i / samples));
-  primitive.body = swept_kernel({body_outline(vehicle_)}, poses, cell_m_);
+  primitive.body = swept_kernel({outline}, poses, cell_m_);
   primitive.wheels = swept_kernel(wheel_tracks(vehicle_), poses, cell_m_);
 }
 

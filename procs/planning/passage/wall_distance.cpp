@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "common/grid/distance_transform.hpp"
-#include "procs/planning/c_space/footprint.hpp"
+#include "common/types/body_outline.hpp"
 
 namespace adit {
 namespace {
@@ -114,14 +114,15 @@ WallDistance::WallDistance(const TerrainMap& terrain, const GroundLayers& layers
                            const GroundLimits& limits, double level_beam_m)
     : p_level_corner_(terrain.p_level_corner),
       part_m_(terrain.cell_m / CellParts::kSide),
-      half_m_(body_outline(vehicle).half),
+      half_m_(vehicle.length_m / 2.0, vehicle.width_m / 2.0),
+      outline_(body_outline(vehicle).boundary(kEdgeStepM)),
       lean_(terrain, vehicle) {
   Grid2<std::uint8_t> blocked(CellParts::kSide * terrain.cells.columns(),
                               CellParts::kSide * terrain.cells.rows());
   Grid2<std::uint8_t> unseen = blocked;
   bool any_unseen = false;
   const Pose2 T_body_level = T_level_body.inverse();
-  const BodyRectangle footprint = body_outline(vehicle);
+  const ConvexPolygon footprint = body_outline(vehicle);
   const double under_robot_m = half_m_.norm();
   const auto block = [&](const Eigen::Vector2d& p_level, Grid2<std::uint8_t>& among) {
     const Eigen::Vector2i at = cell_of(p_level - p_level_corner_, part_m_);
@@ -212,18 +213,8 @@ double WallDistance::clearance_m(const Pose2& T_level_body) const {
 
 double WallDistance::outline_clearance_m(const Pose2& T_level_outline) const {
   double clearance_m = at(T_level_outline.translation());
-  const auto sample = [&](double x, double y) {
-    clearance_m = std::min(clearance_m, at(T_level_outline * Eigen::Vector2d(x, y)));
-  };
-  for (int axis = 0; axis < 2; ++axis) {
-    const int samples = static_cast<int>(std::ceil(2.0 * half_m_[axis] / kEdgeStepM));
-    for (int i = 0; i <= samples; ++i) {
-      const double u = std::lerp(-half_m_[axis], half_m_[axis], static_cast<double>(i) / samples);
-      for (const double side : {-half_m_[1 - axis], half_m_[1 - axis]}) {
-        axis == 0 ? sample(u, side) : sample(side, u);
-      }
-    }
-  }
+  for (const Eigen::Vector2d& p_body : outline_)
+    clearance_m = std::min(clearance_m, at(T_level_outline * p_body));
   return clearance_m;
 }
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include <Eigen/Core>
+
 #include "common/geometry/pose2.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/types/terrain_map.hpp"
@@ -51,7 +55,8 @@ class WallDistance {
 
   Eigen::Vector2d p_level_corner_;
   double part_m_;
-  Eigen::Vector2d half_m_;  ///< half the length and half the width of the body
+  Eigen::Vector2d half_m_;                ///< half the length and half the width of the body
+  std::vector<Eigen::Vector2d> outline_;  ///< points along the outline of the body
   BodyLean lean_;
   Grid2<float> distance_m_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/types/body_outline.hpp"
 #include "procs/terrain/memory/height_plane.hpp"
 #include "procs/terrain/memory/remembered_map.hpp"
 
@@ -23,32 +24,42 @@ constexpr double kSpreadM = 0.1;   // regularization of the grade of the ground 
 constexpr double kAlongM = 2.0;    // reach of the ground before and behind the body, for its grade
 constexpr double kContactM = 0.1;  // contact of a wheel, before and behind its axle
 
-/// Visits the cells whose centre lies in a rectangle of body around `middle`.
+/// Visits the cells whose centre lies in a part of the body frame.
 template <class Visit>
-void visit_cells(const TerrainMap& map, const Pose2& T_level_body, const Eigen::Vector2d& middle,
-                 const Eigen::Vector2d& half, const Visit& visit) {
+void visit_cells(const TerrainMap& map, const Pose2& T_level_body, const ConvexPolygon& part,
+                 const Visit& visit) {
+  const Eigen::Vector2d middle = 0.5 * (part.low() + part.high());
+  const double radius_m = 0.5 * (part.high() - part.low()).norm();
   const Eigen::Vector2i at = map.cell_at(T_level_body * middle);
-  const int reach = static_cast<int>(std::ceil(half.norm() / map.cell_m));
+  const int reach = static_cast<int>(std::ceil(radius_m / map.cell_m));
   const Eigen::Vector2i first = (at.array() - reach).max(0);
   const Eigen::Vector2i last = (at.array() + reach).min(map.cells.box().to.array() - 1);
   const Eigen::Isometry2d T_body_level = motion_of(T_level_body.inverse());
   for (int r = first.y(); r <= last.y(); ++r) {
     for (int c = first.x(); c <= last.x(); ++c) {
-      const Eigen::Vector2d off = T_body_level * map.centre(c, r) - middle;
-      if ((off.array().abs() <= half.array()).all()) visit(map.cells.index({c, r}));
+      if (part.contains(T_body_level * map.centre(c, r))) visit(map.cells.index({c, r}));
     }
   }
 }
 
-Eigen::Vector2d half_of(const Vehicle& vehicle) {
-  return {vehicle.length_m / 2.0, vehicle.width_m / 2.0};
+/// Where the wheels touch the ground.
+std::vector<ConvexPolygon> wheel_contacts(const Vehicle& vehicle) {
+  const Eigen::Vector2d half(kContactM, vehicle.wheel_width_m / 2.0);
+  std::vector<ConvexPolygon> contacts;
+  for (const double x : {-0.5, 0.5}) {
+    for (const double y : {-0.5, 0.5}) {
+      const Eigen::Vector2d wheel(x * vehicle.wheelbase_m, y * vehicle.track_m);
+      contacts.push_back(ConvexPolygon::rectangle(wheel, half));
+    }
+  }
+  return contacts;
 }
 
-/// The observed ground in a rectangle around the body, relative to its middle.
+/// The observed ground in a part of the body frame, relative to the origin of the body.
 HeightPlaneFit observed_ground(const TerrainMap& map, const Pose2& T_level_body,
-                               const Eigen::Vector2d& half, const Vehicle& vehicle) {
+                               const ConvexPolygon& part, const Vehicle& vehicle) {
   HeightPlaneFit sums;
-  visit_cells(map, T_level_body, Eigen::Vector2d::Zero(), half, [&](std::size_t i) {
+  visit_cells(map, T_level_body, part, [&](std::size_t i) {
     const TerrainCell& cell = map.cells[i];
     if (cell.ground != Ground::kObserved || is_obstacle(cell, obstacle_height_m(vehicle))) return;
     const Eigen::Vector2i at = map.cells.cell(i);
@@ -62,7 +73,7 @@ HeightPlaneFit observed_ground(const TerrainMap& map, const Pose2& T_level_body,
 
 DrivenGround::DrivenGround(const TerrainMap& map, const std::vector<DrivenPath::Place>& places,
                            const Vehicle& vehicle)
-    : vehicle_(vehicle) {
+    : vehicle_(vehicle), outline_(body_outline(vehicle)), wheels_(wheel_contacts(vehicle)) {
   for (const DrivenPath::Place& place : places) {
     const Pose2 T_level_body = between(map.T_odom_level, place.T_odom_body);
     const bool here = &place == &places.back();
@@ -73,8 +84,8 @@ DrivenGround::DrivenGround(const TerrainMap& map, const std::vector<DrivenPath::
 }
 
 float DrivenGround::observed_height_m(const TerrainMap& map, const Pose2& T_level_body) const {
-  const HeightPlaneFit sums = observed_ground(map, T_level_body, half_of(vehicle_), vehicle_);
-  const double cells = vehicle_.length_m * vehicle_.width_m / (map.cell_m * map.cell_m);
+  const HeightPlaneFit sums = observed_ground(map, T_level_body, outline_, vehicle_);
+  const double cells = outline_.area_m2() / (map.cell_m * map.cell_m);
   const auto observed = static_cast<double>(sums.count());
   return observed > 0.0 && observed >= kObservedShare * cells ? sums.plane(kSpreadM).offset_m
                                                               : kUnknownHeight;
@@ -82,8 +93,9 @@ float DrivenGround::observed_height_m(const TerrainMap& map, const Pose2& T_leve
 
 /// Of the plane through the ground under the middle of the body, in level.
 Eigen::Vector2f DrivenGround::grade_around(const TerrainMap& map, const BodyPose& pose) const {
-  const Eigen::Vector2d half = half_of(vehicle_) + Eigen::Vector2d(kAlongM, 0.0);
-  const HeightPlaneFit sums = observed_ground(map, pose.T_level_body, half, vehicle_);
+  const auto around = ConvexPolygon::rectangle(Eigen::Vector2d::Zero(),
+                                               outline_.high() + Eigen::Vector2d(kAlongM, 0.0));
+  const HeightPlaneFit sums = observed_ground(map, pose.T_level_body, around, vehicle_);
   return sums.plane_through(pose.z_m, kSpreadM).grade;
 }
 
@@ -117,10 +129,10 @@ void DrivenGround::interpolate() {
 
 void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>& changed,
                                const std::vector<float>& observed_at_m) const {
-  const Eigen::Vector2d grown = half_of(vehicle_).array() + map.cell_m / 2.0;
+  const ConvexPolygon grown = outline_.grown(map.cell_m / 2.0);
   const auto belly_m = static_cast<float>(vehicle_.belly_clearance_m);
   for (const BodyPose& pose : poses_) {
-    visit_cells(map, pose.T_level_body, Eigen::Vector2d::Zero(), grown, [&](std::size_t i) {
+    visit_cells(map, pose.T_level_body, grown, [&](std::size_t i) {
       TerrainCell& cell = map.cells[i];
       if (std::isnan(cell.clearance_m)) cell.clearance_m = kNoRoof;
       // Regions enlarge obstacles, and odom is inaccurate by centimetres.
@@ -137,15 +149,11 @@ void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>&
 
 void DrivenGround::fill_wheels(TerrainMap& map, const std::vector<std::uint8_t>& changed,
                                const BodyPose& pose) const {
-  const Eigen::Vector2d contact(kContactM, vehicle_.wheel_width_m / 2.0);
   std::vector<std::size_t> cells;
-  for (const double x : {-0.5, 0.5}) {
-    for (const double y : {-0.5, 0.5}) {
-      const Eigen::Vector2d wheel(x * vehicle_.wheelbase_m, y * vehicle_.track_m);
-      visit_cells(map, pose.T_level_body, wheel, contact, [&](std::size_t i) {
-        if (is_unknown(map.cells[i]) && changed[i] == 0) cells.push_back(i);
-      });
-    }
+  for (const ConvexPolygon& wheel : wheels_) {
+    visit_cells(map, pose.T_level_body, wheel, [&](std::size_t i) {
+      if (is_unknown(map.cells[i]) && changed[i] == 0) cells.push_back(i);
+    });
   }
   if (cells.empty()) return;
   const Eigen::Vector2f grade = grade_around(map, pose);

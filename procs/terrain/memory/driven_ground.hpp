@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/geometry/convex_polygon.hpp"
 #include "common/types/terrain_map.hpp"
 #include "procs/terrain/memory/driven_path.hpp"
 #include "procs/terrain/terrain_params.hpp"
@@ -42,7 +43,9 @@ class DrivenGround {
   void interpolate();
 
   Vehicle vehicle_;
-  std::vector<BodyPose> poses_;  ///< one per place
+  ConvexPolygon outline_;              ///< in the body frame, as the wheels
+  std::vector<ConvexPolygon> wheels_;  ///< where they touch the ground
+  std::vector<BodyPose> poses_;        ///< one per place
 };
 
 }  // namespace adit

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "common/types/body_outline.hpp"
+
 namespace adit {
 namespace {
 
@@ -53,7 +55,7 @@ class Comparison {
       : now_(now),
         obstacle_m_(obstacle_height_m(vehicle)),
         high_m_(static_cast<float>(vehicle.belly_clearance_m)),
-        half_(vehicle.length_m / 2.0, vehicle.width_m / 2.0),
+        outline_(body_outline(vehicle)),
         T_before_now_(motion_of(between(before.T_odom_level(), now.T_odom_level))) {
     for (int row = 0; row < now.cells.rows(); row += kStride) {
       for (int column = 0; column < now.cells.columns(); column += kStride) {
@@ -115,7 +117,7 @@ class Comparison {
   }
 
   [[nodiscard]] bool is_below_body(const Eigen::Vector2d& p_body) const {
-    return (p_body.array().abs() <= half_.array()).all();
+    return outline_.contains(p_body);
   }
 
   [[nodiscard]] bool obstacle_near(int column, int row) const {
@@ -131,7 +133,7 @@ class Comparison {
   const TerrainMap& now_;
   float obstacle_m_;
   float high_m_;  ///< height of obstacles that are never taken for ground from another viewpoint
-  Eigen::Vector2d half_;
+  ConvexPolygon outline_;
   Eigen::Isometry2d T_before_now_;
   std::vector<Difference> differences_;
   std::vector<BodyGround> under_body_before_;

@@ -6,12 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace adit {
+#include "common/geometry/segment.hpp"
 
-/// Positive where `b` points to the left of `a`.
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+namespace adit {
 
 /// Position of the point nearest to `p` on the segment from `a` to `b`: 0 at `a`, 1 at `b`; 0 for a
 /// segment without length.

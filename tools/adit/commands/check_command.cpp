@@ -42,8 +42,9 @@ constexpr const char* kCheckExamples =
 
 void run(const CheckOptions& options) {
   const std::filesystem::path path = find_installed_file(options.config, "config");
-  const RobotConfig robot = load_robot_config(ConfigFile::load(path));
-  const CheckResults results = check_robot(robot);
+  const RobotConfig given = load_robot_config(ConfigFile::load(path));
+  const CheckResults results = check_robot(given);
+  const RobotConfig robot = with_usable_footprint(given);
   const std::string name = path.filename().string();
   if (!options.picture.empty()) write_robot_png(options.picture, message_line(name), robot);
   std::cout << text_of_robot(message_line(name), results) << "\n" << text_of_abilities(robot);

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/types/body_outline.hpp"
 #include "common/types/terrain_map.hpp"
 #include "tools/report/svg/indexed_png.hpp"
 #include "tools/report/svg/markup.hpp"
@@ -76,13 +77,11 @@ std::string goal_svg(const CellView& view, const PlanGoal& goal) {
 
 std::string outline_svg(const CellView& view, const Pose2& T_level_body, const Vehicle& vehicle,
                         const char* css_class) {
-  const double x = vehicle.length_m / 2.0;
-  const double y = vehicle.width_m / 2.0;
-  const auto corner = [&](double x_body, double y_body) {
-    return svg_point(view.at(T_level_body * Eigen::Vector2d(x_body, y_body)));
-  };
-  return fmt::format(R"(<polygon class="{}" points="{} {} {} {}"/>)", css_class, corner(-x, -y),
-                     corner(x, -y), corner(x, y), corner(-x, y));
+  const ConvexPolygon outline = body_outline(vehicle);
+  std::string corners;
+  for (const Eigen::Vector2d& corner : outline.corners())
+    corners += (corners.empty() ? "" : " ") + svg_point(view.at(T_level_body * corner));
+  return fmt::format(R"(<polygon class="{}" points="{}"/>)", css_class, corners);
 }
 
 /// The path with outlines of the vehicle at regular distances; empty without points.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/segment.hpp"
+
 namespace adit {
 namespace {
 
@@ -12,10 +14,6 @@ constexpr double kGapMaxRad = 0.4;      // a wider one may be a side tunnel
 constexpr std::size_t kSmallGap = 2;    // rays
 constexpr double kGapSdShare = 0.1;     // of the length of the line that closes it
 constexpr double kCornerShare = 0.125;  // of its square: half of a right-angled corner behind it
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The chord through the point inside along two opposite rays.
 Measured chord(const SectionOutline::Ray& a, const SectionOutline::Ray& b, double common_sd_m) {

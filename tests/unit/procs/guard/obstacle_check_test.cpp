@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/guard/obstacle_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "common/geometry/pose2.hpp"
+#include "tests/support/robots/chamfered_vehicle.hpp"
 
 namespace adit {
 namespace {
@@ -26,20 +29,22 @@ Pose2 pose_after(double distance_m, double curvature) {
   return {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn};
 }
 
-/// Distance of a point from the footprint at a pose of the vehicle; negative inside.
-double outside_m(const Vehicle& vehicle, double side_margin_m, const Pose2& T,
+/// Distance of a point from the footprint at a pose of the vehicle, whose corners are cut by
+/// `cut_m`; negative inside.
+double outside_m(const Vehicle& vehicle, double cut_m, double side_margin_m, const Pose2& T,
                  const Eigen::Vector2d& p) {
-  const Eigen::Vector2d q = T.inverse() * p;
-  return std::max(std::abs(q.x()) - 0.5 * vehicle.length_m,
-                  std::abs(q.y()) - 0.5 * vehicle.width_m - side_margin_m);
+  const Eigen::Vector2d q = (T.inverse() * p).cwiseAbs();
+  const double x_m = q.x() - 0.5 * vehicle.length_m;
+  const double y_m = q.y() - 0.5 * vehicle.width_m - side_margin_m;
+  return std::max({x_m, y_m, (x_m + y_m + cut_m) / std::numbers::sqrt2});
 }
 
-double stepped_distance_m(const Vehicle& vehicle, double side_margin_m, const ArcMotion& motion,
-                          const Eigen::Vector2d& p) {
+double stepped_distance_m(const Vehicle& vehicle, double cut_m, double side_margin_m,
+                          const ArcMotion& motion, const Eigen::Vector2d& p) {
   const double sign = std::copysign(1.0, motion.speed_m_s);
   for (int i = 0; i * kStepM < kReachM; ++i) {
     const Pose2 T = pose_after(sign * i * kStepM, motion.curvature_1_m);
-    if (outside_m(vehicle, side_margin_m, T, p) <= 0.0) return i * kStepM;
+    if (outside_m(vehicle, cut_m, side_margin_m, T, p) <= 0.0) return i * kStepM;
   }
   return kNoContact;
 }
@@ -50,8 +55,8 @@ struct Comparison {
 };
 
 /// Compares the distance to random points by the closed form with that by small steps.
-Comparison compare(const ArcMotion& motion, std::uint32_t seed) {
-  const Vehicle vehicle;
+Comparison compare(const ArcMotion& motion, double cut_m, std::uint32_t seed) {
+  const Vehicle vehicle = cut_m > 0.0 ? chamfered({}, cut_m) : Vehicle{};
   constexpr double kMarginM = 0.05;
   const ArcSweep sweep(vehicle, motion, kMarginM);
   std::mt19937 random(seed);
@@ -59,18 +64,18 @@ Comparison compare(const ArcMotion& motion, std::uint32_t seed) {
   Comparison comparison;
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Vector2d p(coordinate(random), coordinate(random));
-    const bool in_margin = outside_m(vehicle, kMarginM, {}, p) <= 0.0;
+    const bool in_margin = outside_m(vehicle, cut_m, kMarginM, {}, p) <= 0.0;
     const double margin_m = in_margin ? 0.0 : kMarginM;
-    if (outside_m(vehicle, 0.0, {}, p) <= 0.0) continue;
+    if (outside_m(vehicle, cut_m, 0.0, {}, p) <= 0.0) continue;
     const double distance_m = sweep.distance_m(p);
     if (in_margin && distance_m == 0.0) continue;  // the vehicle turns towards it
-    const double stepped_m = stepped_distance_m(vehicle, margin_m, motion, p);
+    const double stepped_m = stepped_distance_m(vehicle, cut_m, margin_m, motion, p);
     EXPECT_LE(distance_m, stepped_m + 1e-9) << p.transpose();  // rounding
     if (distance_m >= kReachM - kStepM) continue;
     ++comparison.met;
     EXPECT_LE(p.norm(), sweep.reach_m(distance_m) + 1e-9);
     const Pose2 T = pose_after(std::copysign(distance_m, motion.speed_m_s), motion.curvature_1_m);
-    EXPECT_NEAR(outside_m(vehicle, margin_m, T, p), 0.0, 1e-6)
+    EXPECT_NEAR(outside_m(vehicle, cut_m, margin_m, T, p), 0.0, 1e-6)
         << p.transpose();  // a curvature of 1e-7 counts as straight
     if (stepped_m > distance_m + kStepM + 1e-9) ++comparison.grazed;
   }
@@ -81,9 +86,11 @@ TEST(ArcSweep, AgreesWithSmallSteps) {
   std::uint32_t seed = 1;
   for (const double speed : {0.4, -0.4}) {
     for (const double curvature : {0.0, 1e-7, 0.05, -0.05, 0.3, -0.3, 0.625, -0.625}) {
-      const Comparison comparison = compare({speed, curvature}, seed++);
-      EXPECT_GT(comparison.met, 40) << speed << " " << curvature;
-      EXPECT_LE(comparison.grazed, 5) << speed << " " << curvature;  // at a corner
+      for (const double cut_m : {0.0, 0.1, 0.4}) {
+        const Comparison comparison = compare({speed, curvature}, cut_m, seed++);
+        EXPECT_GT(comparison.met, 40) << speed << " " << curvature << " " << cut_m;
+        EXPECT_LE(comparison.grazed, 5) << speed << " " << curvature;  // at a corner
+      }
     }
   }
 }
@@ -154,7 +161,7 @@ double stepped_distance_of_ackermann_m(const Vehicle& vehicle, const ArcMotion& 
     const double turn = sign * i * kStepM * motion.curvature_1_m;
     const Pose2 step{axle_radius * std::sin(turn), axle_radius * (1.0 - std::cos(turn)), turn};
     const Pose2 T = T_body_axle * step * T_body_axle.inverse();
-    if (outside_m(vehicle, 0.0, T, p) <= 0.0) return i * kStepM;
+    if (outside_m(vehicle, 0.0, 0.0, T, p) <= 0.0) return i * kStepM;
   }
   return kNoContact;
 }
@@ -169,7 +176,7 @@ TEST(ArcSweep, RotatesAboutTheLineOfTheRearAxleWithAckermannSteering) {
     const ArcSweep sweep(vehicle, motion, 0.0);
     for (int i = 0; i < 500; ++i) {
       const Eigen::Vector2d p(coordinate(random), coordinate(random));
-      if (outside_m(vehicle, 0.0, {}, p) <= 0.0) continue;
+      if (outside_m(vehicle, 0.0, 0.0, {}, p) <= 0.0) continue;
       const double stepped_m = stepped_distance_of_ackermann_m(vehicle, motion, p);
       EXPECT_LE(sweep.distance_m(p), stepped_m + 1e-9);
       if (stepped_m == kNoContact) continue;

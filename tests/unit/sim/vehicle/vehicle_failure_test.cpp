@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/robots/chamfered_vehicle.hpp"
 #include "tests/unit/sim/vehicle/driving.hpp"
 
 namespace adit {
@@ -76,6 +77,22 @@ TEST(VehicleFailure, APostStopsItAtItsFront) {
   // The post begins at 4.9 m and the vehicle's front is at 1.2 m; collisions are checked every 4
   // cm, and a step is 5 mm.
   EXPECT_NEAR(vehicle.distance_travelled_m(), 3.7 + 0.0225, 0.0225);
+}
+
+/// The post is 0.1 m inside the flank: there the edge of a corner cut by 0.4 m is 0.3 m behind the
+/// front.
+TEST(VehicleFailure, APostMeetsACutCornerBehindTheFront) {
+  const auto travelled_m = [](const Vehicle& dimensions) {
+    const Site site(tunnel_with(PartKind::kPost, "post", [](MeshBuilder& builder) {
+      builder.bar({5.0, 0.5, 0.0}, {5.0, 0.5, 2.0}, 0.01);
+    }));
+    VehicleModel vehicle(site, dimensions, without_slip(), 1, 0);
+    drive(vehicle, 0.5, 0.0, 30.0);
+    EXPECT_THAT(vehicle.failure().value_or("none"), StartsWith("collision with 'post'"));
+    return vehicle.distance_travelled_m();
+  };
+  EXPECT_NEAR(travelled_m({}), 3.8, 0.05);
+  EXPECT_NEAR(travelled_m(chamfered({}, 0.4)), 3.8 + 0.3, 0.05);
 }
 
 TEST(VehicleFailure, IsPermanent) {

@@ -171,6 +171,22 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"blind_ahead_m: 0.4", "blind_ahead_m: 1.2"}},
                 "blind_ahead_m",
                 "decrease blind_ahead_m"},
+        Mistake{"FootprintThatIsNotSymmetric",
+                kSkid,
+                {{"  height_m: 0.52",
+                  "  footprint: [{x_m: 0.45, y_m: 0.33}, {x_m: 0.45, y_m: -0.33}, "
+                  "{x_m: -0.45, y_m: 0.2}, {x_m: -0.45, y_m: -0.2}]\n  height_m: 0.52"}},
+                "vehicle.footprint",
+                "symmetric"},
+        Mistake{
+            "FootprintWithoutTheWheels",
+            kSkid,
+            {{"  height_m: 0.52",
+              "  footprint: [{x_m: 0.45, y_m: 0.1}, {x_m: 0.45, y_m: -0.1}, {x_m: 0.1, y_m: 0.33}, "
+              "{x_m: -0.1, y_m: 0.33}, {x_m: -0.45, y_m: 0.1}, {x_m: -0.45, y_m: -0.1}, "
+              "{x_m: -0.1, y_m: -0.33}, {x_m: 0.1, y_m: -0.33}]\n  height_m: 0.52"}},
+            "outer corner of a wheel",
+            "protrudes"},
         Mistake{"TurningRadiusOfAnotherMachine",
                 kGroundhog,
                 {{"turning_radius_m: 1.6", "turning_radius_m: 0.3"}},

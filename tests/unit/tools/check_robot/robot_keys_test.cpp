@@ -39,6 +39,7 @@ class KeyRows {
   void operator()(std::string_view key, std::string& value, const OneOf& allowed) {
     add(key, value, allowed.text());
   }
+  void operator()(std::string_view key, std::vector<FootprintCorner>&) { add(key, "[]", ""); }
   void operator()(std::string_view key, Pose2& pose) {
     PoseKeys keys{pose};
     (*this)(key, keys);

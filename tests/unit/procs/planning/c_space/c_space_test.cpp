@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "common/geometry/pose2.hpp"
+#include "common/types/body_outline.hpp"
 #include "procs/planning/c_space/footprint.hpp"
+#include "tests/support/robots/chamfered_vehicle.hpp"
 #include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
@@ -23,8 +25,10 @@ const Pose2 kFarAway{100.0, 100.0, 0.0};  // a robot that is not on the map
 
 /// Kernels and C-space of a terrain map without a robot on it.
 struct Mapped {
-  explicit Mapped(const TerrainMap& terrain_map, const CSpaceParams& params = {})
+  explicit Mapped(const TerrainMap& terrain_map, const CSpaceParams& params = {},
+                  const Vehicle& of_vehicle = {})
       : terrain(terrain_map),
+        vehicle(of_vehicle),
         layers(ground_layers(terrain, kFarAway, vehicle, params.ground)),
         kernels(vehicle, params, terrain.cell_m),
         space(kernels.convolve(layers)) {}
@@ -118,16 +122,16 @@ TEST(CSpace, IsMarginalOrLethalWhereAnyContinuousPoseIsLethal) {
     const int column = 45 + round % 10;
     const int row = 43 + round % 13;
     terrain.cells.at({column, row}) = obstacle_cell(high ? kHigh : kStepM);
-    const Mapped mapped(terrain);
-    const std::vector<BodyRectangle> body{body_outline(mapped.vehicle)};
-    const auto rectangles = high ? body : wheel_tracks(mapped.vehicle);
+    const Mapped mapped(terrain, {}, round % 3 == 0 ? chamfered({}, 0.4) : Vehicle{});
+    const std::vector<ConvexPolygon> body{body_outline(mapped.vehicle)};
+    const auto polygons = high ? body : wheel_tracks(mapped.vehicle);
     for (int i = 0; i < 3000; ++i) {
       // The obstacle may be at any point of its cell.
       const Eigen::Vector2d p =
           terrain.p_level_corner +
           kCellM * Eigen::Vector2d(column + share(engine), row + share(engine));
       const Pose2 pose{place(engine), place(engine), angle(engine)};
-      if (!any_contains(rectangles, pose.inverse() * p)) continue;
+      if (!any_contains(polygons, pose.inverse() * p)) continue;
       ++covered;
       const std::uint16_t cost = mapped.at(pose);
       ASSERT_TRUE(cost == CSpace::kLethal || CSpace::is_marginal(cost))
@@ -145,7 +149,7 @@ TEST(CSpace, ConservativeKernelsExceedTheFootprintByTheCellAndHeadingOnly) {
     const double half_gap = 0.12;  // 0.098 for 32 headings; their spacing is uneven
     const double corner = std::hypot(1.2, 0.6);
     const double margin = kCellM * std::sqrt(2.0) + corner * half_gap + 0.02;
-    const BodyRectangle grown = body_outline(even.vehicle).grown(margin);
+    const ConvexPolygon grown = body_outline(even.vehicle).grown(margin);
     const Pose2 turned{0.0, 0.0, even.kernels.headings().angle(k)};
     for (const auto& run : even.kernels.oriented(k).conservative_body.runs) {
       for (int dx = run.first; dx <= run.last; ++dx) {
@@ -154,6 +158,19 @@ TEST(CSpace, ConservativeKernelsExceedTheFootprintByTheCellAndHeadingOnly) {
       }
     }
   }
+}
+
+/// Beside the cut corner stands what a rectangle of the same size would hit.
+TEST(CSpace, IsFreeBesideACutCorner) {
+  TerrainMap terrain = even_ground(10.0);
+  paint_box(terrain, obstacle_cell(kHigh), {1.05, 0.45}, {1.15, 0.55});
+  EXPECT_EQ(Mapped(terrain).at({0.02, 0.02, 0.0}), CSpace::kLethal);
+  const Mapped cut(terrain, {}, chamfered({}, 0.55));
+  const Pose2 pose{0.05, 0.05, 0.0};  // the middle of a cell
+  EXPECT_NE(cut.at(pose), CSpace::kLethal);
+  const Eigen::Vector2i at = terrain.cell_at(pose.translation());
+  const RunKernel& body = cut.kernels.oriented(cut.kernels.headings().nearest(0.0)).exact_body;
+  EXPECT_EQ(direct_sum(cut.layers.under_body, body, at.x(), at.y(), 0), 0U);
 }
 
 TEST(CSpace, IsLethalAtAnObstacleBetweenTheWheels) {

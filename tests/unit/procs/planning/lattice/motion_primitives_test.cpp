@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/types/body_outline.hpp"
 #include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/lattice/lattice_symmetry.hpp"
 
@@ -140,21 +141,25 @@ bool contains(const RunKernel& kernel, const Eigen::Vector2d& p) {
   });
 }
 
+/// The point of a rectangle at shares of −1 to 1 of its half length and half width.
+Eigen::Vector2d point_of(const ConvexPolygon& rectangle, const Eigen::Vector2d& share) {
+  const Eigen::Vector2d middle = 0.5 * (rectangle.low() + rectangle.high());
+  return middle + (rectangle.high() - middle).cwiseProduct(share);
+}
+
 TEST_P(MotionPrimitiveSets, CoverTheSweptFootprint) {
-  const BodyRectangle body = body_outline(vehicle_);
+  const ConvexPolygon body = body_outline(vehicle_);
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   for_each([&](const MotionPrimitive& primitive) {
     for (double s_m = 0.0; s_m < primitive.curve.length_m(); s_m += 0.017) {
       const Pose2 pose = primitives_.pose_at(primitive, s_m);
       const Eigen::Vector2d anywhere(share(engine), share(engine));
-      ASSERT_TRUE(
-          contains(primitive.body, pose * (body.middle + body.half.cwiseProduct(anywhere))));
-      ASSERT_TRUE(contains(primitive.body, pose * (body.middle + body.half)));
-      for (const BodyRectangle& track : wheel_tracks(vehicle_)) {
-        ASSERT_TRUE(contains(primitive.wheels, pose * (track.middle + track.half)));
-        ASSERT_TRUE(
-            contains(primitive.wheels, pose * (track.middle + track.half.cwiseProduct(anywhere))));
+      ASSERT_TRUE(contains(primitive.body, pose * point_of(body, anywhere)));
+      ASSERT_TRUE(contains(primitive.body, pose * body.high()));
+      for (const ConvexPolygon& track : wheel_tracks(vehicle_)) {
+        ASSERT_TRUE(contains(primitive.wheels, pose * track.high()));
+        ASSERT_TRUE(contains(primitive.wheels, pose * point_of(track, anywhere)));
       }
     }
   });

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "procs/planning/c_space/footprint.hpp"
+#include "common/types/body_outline.hpp"
 #include "procs/planning/planning.hpp"
 
 namespace adit {
@@ -88,7 +88,7 @@ PlannedPath plan_along(const StraightOrBentTunnel& tunnel, bool behind = false,
 
 /// Least distance of the body on the path to the true walls.
 double true_clearance_m(const PlannedPath& path, const StraightOrBentTunnel& tunnel) {
-  const Eigen::Vector2d half = body_outline(Vehicle{}).half;
+  const Eigen::Vector2d half = body_outline(Vehicle{}).high();
   double least_m = kNoLimit;
   for (const PathPoint& point : path.points) {
     for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
@@ -137,7 +137,7 @@ TEST(Passage, FollowsABend) {
 /// Past the corner of a car that stands 0.1 to 0.4 m in the lane of the robot, with room beside it:
 /// a path that the corner leaves no room for ends before it.
 TEST(Passage, KeepsADistanceFromACornerWhereThereIsRoom) {
-  const Eigen::Vector2d half = body_outline(Vehicle{}).half;
+  const Eigen::Vector2d half = body_outline(Vehicle{}).high();
   PlanningParams params;
   params.search.expansions_max = 1;  // the lattice finds none
   int past_the_corner = 0;

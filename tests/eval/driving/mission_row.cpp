@@ -32,7 +32,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_
                                    rmse_estimated_m, rmse_estimated_z_m, length_ratio, verdicts,
                                    false_verdicts, unconfirmed, route_home_verdicts, complete,
                                    rescans, back_offs, guard_stops, activity_times, activity_s,
-                                   activity_m, loop_closures, between_levels, merged_m)
+                                   activity_m, loop_closures, between_levels, merged_m,
+                                   loop_closure_error_m, wrong_loop_closures)
 
 }  // namespace test
 
@@ -86,6 +87,7 @@ struct MissionSums {
   int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
       certainly_false_complete = 0, guard_stops = 0;
   std::size_t local_maps = 0, in_ellipsoid = 0, loop_closures = 0, between_levels = 0;
+  std::size_t wrong_loop_closures = 0;
   std::array<std::size_t, 3> in_interval{};
   double plan_of_allowed = 0.0, height_of_allowed = 0.0, normalised_error_squared = 0.0;
   double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
@@ -114,6 +116,7 @@ struct MissionSums {
     height_of_allowed = std::max(height_of_allowed, score.height_of_allowed);
     loop_closures += score.loop_closures;
     between_levels += score.between_levels;
+    wrong_loop_closures += score.wrong_loop_closures;
     merged_m += score.merged_m;
     covered_share += score.covered_share;
     distance_travelled_m += score.distance_travelled_m;
@@ -237,8 +240,8 @@ void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
              "| reported complete; falsely; falsely for the vehicle with margin | %d; %d; %d |\n",
              sum.complete, sum.false_complete, sum.certainly_false_complete)
       << format("| guard stops | %d |\n", sum.guard_stops)
-      << format("| loop closures; between levels | %zu; %zu |\n", sum.loop_closures,
-                sum.between_levels)
+      << format("| loop closures; between levels; wrong by over 0.5 m | %zu; %zu; %zu |\n",
+                sum.loop_closures, sum.between_levels, sum.wrong_loop_closures)
       << format("| path merged with another place | %.1f m |\n", sum.merged_m)
       << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
       << format("| largest RMSE over the allowed, in plan; in height | %.1f; %.1f |\n",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "tests/support/robots/exploring_robot.hpp"
@@ -92,6 +93,25 @@ void add_trajectory(const MissionLog& log, MissionScore& score) {
   score.length_ratio = mapped.length_ratio;
 }
 
+/// What the loop closures in force measured, against the truth at the begin of their local maps.
+void add_loop_closures(const MissionLog& log, MissionScore& score) {
+  const auto T_world_local = [&](int map) -> std::optional<Pose2> {
+    const auto utime = log.local_map_utimes.find(map);
+    if (utime == log.local_map_utimes.end()) return std::nullopt;
+    return interpolate(log.truth, utime->second);
+  };
+  for (const MapConstraint& constraint : log.graph.constraints) {
+    if (constraint.kind != MapConstraint::Kind::kLoopClosure) continue;
+    const auto from = T_world_local(constraint.measured.from);
+    const auto to = T_world_local(constraint.measured.to);
+    if (!from || !to) continue;
+    const Pose2 error = between(between(*from, *to), constraint.measured.T_from_to);
+    const double error_m = error.translation().norm();
+    score.loop_closure_error_m = std::max(score.loop_closure_error_m, error_m);
+    score.wrong_loop_closures += error_m > MissionScore::kWrongM ? 1 : 0;
+  }
+}
+
 void add_consistency(const MissionLog& log, MissionScore& score) {
   const LevelConsistency levels =
       score_levels(log.loop_closures, log.local_map_utimes, log.mapped, log.truth);
@@ -171,6 +191,7 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
   add_times(log.budget, score);
   add_trajectory(log, score);
   add_consistency(log, score);
+  add_loop_closures(log, score);
   add_coverage(log, score);
   add_verdicts(log, score);
   score.guard_stops = log.guard_stops;

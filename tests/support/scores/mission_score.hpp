@@ -52,7 +52,10 @@ struct MissionScore {
   std::size_t loop_closures = 0;   ///< see LevelConsistency
   std::size_t between_levels = 0;  ///< of these
   double merged_m = 0.0;
+  double loop_closure_error_m = 0.0;    ///< largest of a loop closure in the last graph
+  std::size_t wrong_loop_closures = 0;  ///< of these, by more than kWrongM
 
+  static constexpr double kWrongM = 0.5;
   [[nodiscard]] bool false_complete() const { return complete && missed_m > 2.0; }
 };
 

@@ -69,5 +69,28 @@ TEST(MissionScore, ABlockageIsJudgedForTheVehicleOfTheMission) {
   EXPECT_EQ(false_verdicts(MissionTruth(world, low), kFootM - 1.0), 1);
 }
 
+/// The constraints of a drive of 15 m, of which one is off by 0.4 m and one by 0.7 m.
+TEST(MissionScore, MeasuresTheErrorOfLoopClosuresByTheTruth) {
+  MissionLog log;
+  for (int i = 0; i <= 100; ++i) {
+    const std::int64_t utime = 1'000'000 + 100'000 * std::int64_t{i};
+    log.truth.push_back({utime, {3.0 + 0.15 * i, 0.0, 0.3}});
+    if (i % 20 == 0) log.local_map_utimes[i / 20] = utime;
+  }
+  const auto add = [&](MapConstraint::Kind kind, int from, int to, const Pose2& error) {
+    const auto pose = [&](int map) {
+      return *interpolate(log.truth, log.local_map_utimes.at(map));
+    };
+    log.graph.constraints.push_back(
+        {{from, to, between(pose(from), pose(to)) * error, Eigen::Matrix3d::Identity()}, kind});
+  };
+  add(MapConstraint::Kind::kSequential, 0, 1, {5.0, 0.0, 0.0});
+  add(MapConstraint::Kind::kLoopClosure, 0, 3, {0.0, 0.4, 0.1});
+  add(MapConstraint::Kind::kLoopClosure, 1, 4, {0.7, 0.0, 0.0});
+  const MissionScore score = truth_with_grade(0.0).score(log);
+  EXPECT_NEAR(score.loop_closure_error_m, 0.7, 1e-9);
+  EXPECT_EQ(score.wrong_loop_closures, 1U);
+}
+
 }  // namespace
 }  // namespace adit::test

@@ -232,7 +232,31 @@ void Mission::evaluate(const ExplorationReport& report) {
     end_near_home(decision.reason);
     return;
   }
+  if (const auto detour = detour_of(report)) {
+    home_arrival_.set_route(*detour);
+    scan_along(detour->route_odom, detour->decision.reason);
+    return;
+  }
   scan_along(report.route_odom, decision.reason);
+}
+
+/// The route home along the traversed path in place of that of exploration, see HomewardDetour.
+std::optional<ExplorationReport> Mission::detour_of(const ExplorationReport& report) {
+  if (!homeward_detour_.is_active() || !is_returning()) return std::nullopt;
+  const TraversedPath& path = localization_.traversed_path();
+  auto route_odom = homeward_detour_.route_odom(path);
+  if (!route_odom) {
+    homeward_detour_.end();
+    recovery_.reset();
+    failed_tries_ = 0;
+    return std::nullopt;
+  }
+  ExplorationReport detour = report;
+  detour.route_odom = std::move(*route_odom);
+  detour.decision.reason =
+      fmt::format("routes home were blocked: {:.0f} m along the traversed path: {}",
+                  homeward_detour_.left_m(path), report.decision.reason);
+  return detour;
 }
 
 void Mission::set_target(const ExplorationReport& report) {
@@ -247,6 +271,7 @@ void Mission::set_target(const ExplorationReport& report) {
   if (recovery_.set_target(phase_.frontier, home)) {
     retracing_.note_progress();
     homeward_progress_.reset();
+    homeward_detour_.reset();
   }
   if (home && homeward_progress_.add(decision.distance_m)) note_progress();
   home_arrival_.set_route(report);
@@ -441,6 +466,7 @@ void Mission::add_match(const ScanMatch& match) {
   recovery_.narrow_passages().reset_odom();
   home_arrival_.clear();
   retracing_.reset();
+  homeward_detour_.reset();
   if (!is_active(phase_.phase)) return;
   if (change == OdomChange::kResetBeforeRestart && !return_is_final_ &&
       params_.after_power_loss == "home") {

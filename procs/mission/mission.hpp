@@ -19,6 +19,7 @@
 #include "common/types/mission.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/vehicle.hpp"
+#include "procs/mission/homeward_detour.hpp"
 #include "procs/mission/maneuver.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/mission_localization.hpp"
@@ -141,6 +142,7 @@ class Mission {
   void evaluate(const PlannedPath& path);
   void evaluate(const DrivingState& state);
   void set_target(const ExplorationReport& report);
+  [[nodiscard]] std::optional<ExplorationReport> detour_of(const ExplorationReport& report);
   void scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void scan_straight_ahead(const std::string& reason);
   [[nodiscard]] std::optional<Rejoin> transit(double unscanned_m) const;
@@ -187,6 +189,7 @@ class Mission {
   Retracing retracing_;
   ProgressChecker progress_;
   HomewardProgress homeward_progress_;
+  HomewardDetour homeward_detour_;
   HomeArrival home_arrival_;
   /// Before each drive near home for new matches with the local maps there, see end_at_home().
   std::vector<double> home_uncertainties_m_;

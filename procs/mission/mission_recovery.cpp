@@ -121,6 +121,11 @@ void Mission::abandon_target() {
     note_failed_try(evidence);
     return;
   }
+  if (homeward_detour_.is_active()) {  // no route of exploration: no verdict
+    homeward_detour_.end();
+    enter(Phase::kExplore, "the traversed path is blocked too: " + evidence);
+    return;
+  }
   verdict_ = BlockedVerdict{clock_.utime().value_or(0),
                             phase_.frontier.value_or(ExplorationDecision::kNoFrontier), reached_m,
                             evidence, unconfirmed};
@@ -129,7 +134,9 @@ void Mission::abandon_target() {
     end(MissionOutcome::kStranded, "no path onward was found: " + evidence);
     return;
   }
-  if (withdraw(evidence)) return;
+  if (is_returning() && !phase_.frontier)
+    homeward_detour_.note_blocked(localization_.traversed_path());
+  if (!homeward_detour_.is_active() && withdraw(evidence)) return;
   enter(Phase::kExplore,
         (unconfirmed ? "no path was found: " : "the path is blocked: ") + evidence);
 }

@@ -14,7 +14,7 @@ namespace adit {
 /// The return along the traversed path where route after route of exploration is blocked: it may
 /// lead round an obstacle that the map does not show, such as rails that the robot does not cross,
 /// and that each blocked route moves by a metre. Each time one is begun it is twice as long; in the
-/// end the robot goes home the way it came.
+/// end the robot goes home along all of it.
 class HomewardDetour {
  public:
   static constexpr int kBlockedBefore = 3;  ///< routes home, before the first

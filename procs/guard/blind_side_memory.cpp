@@ -19,6 +19,12 @@ constexpr double kReachM = 8.0;  // of the cells around the vehicle, to each sid
 constexpr double kMoveCellsM = 1.0;
 constexpr double kDrivenM = 60.0;  // path length, after which driven ground is forgotten
 constexpr double kCorrectionMaxM = 0.3;
+constexpr double kDoubtMaxM = 1.5;         // a larger correction is not used at all
+constexpr double kSameViewM = 0.5;         // between the poses of two scans that are compared
+constexpr double kViewToleranceM = 0.15;   // of a range
+constexpr std::size_t kViewBearings = 40;  // that two scans have in common
+constexpr double kAgrees = 0.7;            // share of these
+constexpr double kContradicts = 0.4;
 constexpr double kRangeM = 5.0;     // of a beam that counts
 constexpr double kShortOfM = 0.05;  // before the obstacle that a beam hit
 constexpr double kJumpM = 0.5;      // maximum step between poses
@@ -53,6 +59,18 @@ bool has_moved(const std::optional<Pose2>& from, const Pose2& to, double by_m = 
   return !from || is_apart(*from, to, by_m, by_rad);
 }
 
+/// The bearing of a line in the body frame, of kBearings.
+std::size_t bearing_of(const Eigen::Vector2d& line) {
+  const double turn = std::atan2(line.y(), line.x()) / (2.0 * std::numbers::pi) + 0.5;
+  return static_cast<std::size_t>(turn * static_cast<double>(kBearings)) % kBearings;
+}
+
+Eigen::Vector2d direction_of_bearing(std::size_t bearing) {
+  const double angle =
+      2.0 * std::numbers::pi * ((static_cast<double>(bearing) + 0.5) / kBearings - 0.5);
+  return {std::cos(angle), std::sin(angle)};
+}
+
 /// Points of the footprint, closer than the cells, and along its outline.
 std::vector<Eigen::Vector2d> points_all_over(const ConvexPolygon& outline) {
   std::vector<Eigen::Vector2d> points = outline.boundary(kSampleM);
@@ -83,6 +101,7 @@ void BlindSideMemory::move_to(const Pose2& T_odom_body) {
   if (T_odom_body_ && between(*T_odom_body_, T_odom_body).translation().norm() > kJumpM) {
     known_ = {};
     places_.clear();
+    doubted_.clear();
     T_odom_observed_.reset();
     T_odom_stored_.reset();
   }
@@ -101,18 +120,63 @@ void BlindSideMemory::correct(const MapCorrection& correction) {
   corrected_at_m_ = odometer_m_;
   if (!before || before->T_map_odom == correction.T_map_odom) return;
   const Pose2 T_after_before = between(correction.T_map_odom, before->T_map_odom);
-  const bool is_usable = correction.session == before->session &&
-                         moved_at_m(T_after_before, T_odom_body_->translation()) <= kCorrectionMaxM;
+  const double moved_m = correction.session == before->session
+                             ? moved_at_m(T_after_before, T_odom_body_->translation())
+                             : std::numeric_limits<double>::infinity();
   const auto recent =
       std::ranges::lower_bound(places_, odometer_m_ - kKeepsPlaceInOdomM, {}, &Place::driven_at_m);
-  if (is_usable) {
-    for (auto place = places_.begin(); place != recent; ++place)
-      place->T_odom_body = T_after_before * place->T_odom_body;
-  } else {
-    places_.erase(places_.begin(), recent);
-  }
+  for (auto place = places_.begin(); place != recent; ++place)
+    place->T_odom_body = T_after_before * place->T_odom_body;
+  for (Place& place : doubted_) place.T_odom_body = T_after_before * place.T_odom_body;
+  if (moved_m > kCorrectionMaxM) doubt_places_before(recent);
+  if (moved_m > kDoubtMaxM) doubted_.clear();
   mark_all_near();
   T_odom_observed_.reset();  // the next scan counts, though the vehicle stands
+}
+
+void BlindSideMemory::doubt_places_before(Places::iterator recent) {
+  doubted_.insert(doubted_.end(), places_.begin(), recent);
+  places_.erase(places_.begin(), recent);
+}
+
+/// Compares the scan with the one that was stored nearest.
+void BlindSideMemory::settle_doubts(const std::vector<float>& free_m) {
+  const auto distance_m = [&](const Place& place) {
+    return place.free_m.empty() ? std::numeric_limits<double>::infinity()
+                                : between(place.T_odom_body, *T_odom_body_).translation().norm();
+  };
+  const auto nearest = std::ranges::min_element(doubted_, {}, distance_m);
+  if (nearest == doubted_.end() || distance_m(*nearest) > kSameViewM) return;
+  const auto share = agreement(*nearest, free_m);
+  if (!share) return;
+  if (*share >= kAgrees) {
+    places_.insert(places_.begin(), doubted_.begin(), doubted_.end());
+    doubted_.clear();
+    mark_all_near();
+  } else if (*share <= kContradicts) {
+    doubted_.clear();
+  }
+}
+
+/// Share of the ranges of a stored scan that the present one confirms, seen from where the vehicle
+/// is; nothing if it sees too few of them.
+std::optional<double> BlindSideMemory::agreement(const Place& place,
+                                                 const std::vector<float>& free_m) const {
+  const Pose2 T_now_then = between(*T_odom_body_, place.T_odom_body);
+  const Eigen::Vector2d p_body_laser = laser_.T_body_laser.translation();
+  std::size_t compared = 0;
+  std::size_t confirmed = 0;
+  for (std::size_t i = 0; i < place.free_m.size(); ++i) {
+    if (place.free_m[i] <= 0.0F || place.free_m[i] >= kRangeM - kShortOfM) continue;
+    const Eigen::Vector2d p_then = p_body_laser + place.free_m[i] * direction_of_bearing(i);
+    const Eigen::Vector2d line = T_now_then * p_then - p_body_laser;
+    const double seen_m = free_m[bearing_of(line)];
+    if (seen_m <= 0.0) continue;
+    ++compared;
+    confirmed += std::abs(line.norm() - seen_m) <= kViewToleranceM ? 1 : 0;
+  }
+  if (compared < kViewBearings) return std::nullopt;
+  return static_cast<double>(confirmed) / static_cast<double>(compared);
 }
 
 void BlindSideMemory::observe(const LaserPoints& points) {
@@ -122,6 +186,7 @@ void BlindSideMemory::observe(const LaserPoints& points) {
   for (const Eigen::Vector2d& p_body : points.p_body_free) {
     if (p_body.allFinite()) mark_line(p_odom_laser, *T_odom_body_ * p_body);
   }
+  if (!doubted_.empty()) settle_doubts(free_by_bearing(points));
   if (!has_moved(T_odom_stored_, *T_odom_body_, kStoredM, kStoredRad)) return;
   T_odom_stored_ = T_odom_body_;
   add_place();
@@ -138,9 +203,7 @@ std::vector<float> BlindSideMemory::free_by_bearing(const LaserPoints& points) c
   for (const Eigen::Vector2d& p_body : points.p_body_free) {
     if (!p_body.allFinite()) continue;
     const Eigen::Vector2d line = p_body - laser_.T_body_laser.translation();
-    const double turn = std::atan2(line.y(), line.x()) / (2.0 * std::numbers::pi) + 0.5;
-    const auto bearing = static_cast<std::size_t>(turn * static_cast<double>(kBearings));
-    float& least_m = free_m[bearing % kBearings];
+    float& least_m = free_m[bearing_of(line)];
     least_m = std::min(least_m, static_cast<float>(line.norm()));
   }
   std::ranges::replace(free_m, kNone, 0.0F);  // nothing known
@@ -208,11 +271,8 @@ void BlindSideMemory::mark(const Place& place) {
   }
   const Eigen::Vector2d p_body_laser = laser_.T_body_laser.translation();
   for (std::size_t i = 0; i < place.free_m.size(); ++i) {
-    const double bearing =
-        2.0 * std::numbers::pi * ((static_cast<double>(i) + 0.5) / kBearings - 0.5);
-    const Eigen::Vector2d ahead(std::cos(bearing), std::sin(bearing));
-    mark_line(place.T_odom_body * p_body_laser,
-              place.T_odom_body * Eigen::Vector2d(p_body_laser + place.free_m[i] * ahead));
+    const Eigen::Vector2d end = p_body_laser + place.free_m[i] * direction_of_bearing(i);
+    mark_line(place.T_odom_body * p_body_laser, place.T_odom_body * end);
   }
 }
 

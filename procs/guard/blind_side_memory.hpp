@@ -26,9 +26,11 @@ namespace adit {
 ///
 /// Odom drifts: ground is forgotten 60 m after the vehicle has driven over it, unless a map
 /// correction has placed it since. As on the traversed path of the mission, what was driven more
-/// than 10 m ago keeps its place in map; it is forgotten where a correction moves the vehicle by
-/// more than 0.3 m, as a wrong loop closure does. All is forgotten when the pose jumps. What comes
-/// there afterwards is not noticed: a vehicle with one laser needs its surroundings to itself.
+/// than 10 m ago keeps its place in map. A correction that moves the vehicle by more than 0.3 m may
+/// be a wrong loop closure: that ground counts again once a scan agrees with the one that is stored
+/// nearest. It is forgotten beyond 1.5 m, or if the scan contradicts it. All is forgotten when the
+/// pose jumps. What comes there afterwards is not noticed: a vehicle with one laser needs its
+/// surroundings to itself.
 class BlindSideMemory {
  public:
   BlindSideMemory(const Vehicle& vehicle, const LaserMount& laser);
@@ -51,7 +53,13 @@ class BlindSideMemory {
     std::vector<float> free_m;  ///< from the laser, by bearing in body; empty if no scan is stored
   };
 
+  using Places = std::deque<Place>;  ///< oldest first
+
   void add_place();
+  void doubt_places_before(Places::iterator recent);
+  void settle_doubts(const std::vector<float>& free_m);
+  [[nodiscard]] std::optional<double> agreement(const Place& place,
+                                                const std::vector<float>& free_m) const;
   void forget_old_places();
   void mark(const Place& place);
   void mark_all_near();
@@ -72,7 +80,8 @@ class BlindSideMemory {
   std::optional<MapCorrection> correction_;
   double corrected_at_m_ = 0.0;  ///< odometer at the last correction
   double odometer_m_ = 0.0;
-  std::deque<Place> places_;   ///< oldest first
+  Places places_;
+  Places doubted_;             ///< older than those: placed by a correction that may be wrong
   Grid2<std::uint8_t> known_;  ///< cells around the vehicle: 1 if known to be free
 };
 

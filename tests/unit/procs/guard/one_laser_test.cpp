@@ -246,6 +246,47 @@ TEST(BlindSideMemory, ForgetsWhatALargeCorrectionOrAnotherOdomFrameMoves) {
   }
 }
 
+/// In a tunnel with a recess every 3 m, 4 m to one side and 2 m to the other, driven along and
+/// back: a correction along the tunnel of 0.6 m and of a whole recess, right or wrong.
+TEST(BlindSideMemory, KnowsTheGroundAfterALargeCorrectionThatAScanConfirms) {
+  const auto scan_at = [](double x_m) {
+    LaserPoints points;
+    for (int i = 0; i < 270; ++i) {
+      const double angle = (i - 134.5) * std::numbers::pi / 180.0;
+      const Eigen::Vector2d ahead(std::cos(angle), std::sin(angle));
+      double range_m = 0.0;
+      const auto is_free = [&](const Eigen::Vector2d& p) {
+        const double along = x_m + p.x() - 3.0 * std::floor((x_m + p.x()) / 3.0);
+        return std::abs(p.y()) < 0.8 || (along < 1.0 && p.y() > -2.0 && p.y() < 4.0);
+      };
+      while (range_m < 5.0 && is_free((range_m + 0.02) * ahead)) range_m += 0.02;
+      points.p_body_free.push_back(range_m * ahead);
+    }
+    return points;
+  };
+  struct Case {
+    double correction_m;  ///< what mapping says
+    double drift_m;       ///< of odom, in truth
+    bool knows;
+  };
+  for (const Case& c : {Case{0.6, 0.6, true}, Case{1.0, 1.0, true}, Case{0.6, 0.0, false},
+                        Case{-0.9, 0.0, false}, Case{1.6, 1.6, false}}) {
+    BlindSideMemory ground(Vehicle{}, LaserMount{});
+    MapCorrection correction;
+    const auto move = [&](double x_m, double drift_m) {
+      ground.move_to({x_m - drift_m, 0.0, 0.0});
+      ground.observe(scan_at(x_m));
+      ground.correct(correction);
+    };
+    for (double x_m = 0.0; x_m <= 30.0; x_m += 0.1) move(x_m, 0.0);
+    for (double x_m = 30.0; x_m >= 12.0; x_m -= 0.1) move(x_m, c.drift_m * (30.0 - x_m) / 18.0);
+    correction.T_map_odom.x = c.correction_m;
+    for (double x_m = 12.0; x_m >= 11.0; x_m -= 0.1) move(x_m, c.drift_m);
+    EXPECT_EQ(ground.known_m({-0.3, 0.0}, 5.0) >= 4.9, c.knows)
+        << c.correction_m << " " << c.drift_m << ": " << ground.known_m({-0.3, 0.0}, 5.0);
+  }
+}
+
 /// The last footprint that was added is a few centimetres behind: those ahead of it are no unknown
 /// ground. A vehicle that turned into a recess could not leave it again.
 TEST(BlindSideMemory, KnowsTheGroundUnderTheBody) {

@@ -134,7 +134,7 @@ void BlindSideMemory::correct(const MapCorrection& correction) {
   T_odom_observed_.reset();  // the next scan counts, though the vehicle stands
 }
 
-void BlindSideMemory::doubt_places_before(Places::iterator recent) {
+void BlindSideMemory::doubt_places_before(const Places::iterator& recent) {
   doubted_.insert(doubted_.end(), places_.begin(), recent);
   places_.erase(places_.begin(), recent);
 }

@@ -56,7 +56,7 @@ class BlindSideMemory {
   using Places = std::deque<Place>;  ///< oldest first
 
   void add_place();
-  void doubt_places_before(Places::iterator recent);
+  void doubt_places_before(const Places::iterator& recent);
   void settle_doubts(const std::vector<float>& free_m);
   [[nodiscard]] std::optional<double> agreement(const Place& place,
                                                 const std::vector<float>& free_m) const;

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
+
+#include "procs/planning/goals/connecting_curve.hpp"
 
 namespace adit {
 namespace {
@@ -13,6 +16,9 @@ namespace {
 constexpr double kLengthMinM = 0.5;
 constexpr double kPoseSpacingM = 0.05;  // closer poses do not define the direction of travel
 constexpr double kGapM = 0.5;           // maximum distance of consecutive poses
+constexpr double kBesideM = 0.3;        // of the traversed path beside a vehicle that gets onto it
+constexpr double kJoinM = 3.0;          // of it, in which it does
+constexpr double kCurveSpacingM = 0.1;  // of poses up to there
 
 using Poses = std::vector<Pose2>;
 
@@ -36,6 +42,27 @@ bool is_drivable(const Pose2& T_odom_a, const Pose2& T_odom_b, double turning_ra
   return std::abs((along_chord.inverse() * step.translation()).y()) <= kOnPathM;
 }
 
+/// Where a vehicle that cannot get to the next pose of the traversed path gets onto it, and the
+/// poses up to there, that one included; none if it cannot.
+struct Joined {
+  Poses poses;
+  Poses::const_iterator at;
+};
+Joined joined(const Pose2& T_odom_from, Poses::const_iterator next, Poses::const_iterator end,
+              double turning_radius_m) {
+  double along_m = distance_between(T_odom_from, *next);
+  if (std::abs(between(T_odom_from, *next).y) > kBesideM) return {};
+  for (; next != end && along_m <= kJoinM; ++next) {
+    Poses curve = connecting_curve(T_odom_from, *next, turning_radius_m, kCurveSpacingM);
+    if (!curve.empty()) return {std::move(curve), next};
+    if (next + 1 == end) break;
+    const double step_m = distance_between(*next, *(next + 1));
+    if (step_m > kGapM) break;
+    along_m += step_m;
+  }
+  return {};
+}
+
 /// `T_odom_start`, followed by the traversed path from `next` up to a gap, a pose that the vehicle
 /// cannot get to, or a length.
 Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
@@ -46,9 +73,18 @@ Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
     const double step_m = distance_between(poses.back(), *next);
     if (step_m > kGapM) break;
     if (step_m < kPoseSpacingM) continue;
-    if (!is_drivable(poses.back(), *next, turning_radius_m)) break;
-    poses.push_back(*next);
-    distance_m += step_m;
+    if (is_drivable(poses.back(), *next, turning_radius_m)) {
+      poses.push_back(*next);
+      distance_m += step_m;
+      continue;
+    }
+    const Joined curve = joined(poses.back(), next, end, turning_radius_m);
+    if (curve.poses.empty()) break;
+    for (const Pose2& pose : curve.poses) {
+      distance_m += distance_between(poses.back(), pose);
+      poses.push_back(pose);
+    }
+    next = curve.at;
   }
   return poses;
 }

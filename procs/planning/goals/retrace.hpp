@@ -10,9 +10,10 @@ namespace adit {
 /// A path back over the traversed path, `goal.traversed_path_odom` (from the body backwards), where
 /// no scan shows a path. It needs no terrain: the robot has driven there, and the guard monitors
 /// the drive. Changes of direction are repeated in reverse order. The path is at most
-/// `goal.distance_m` long and ends at a gap of the traversed path, or where the next pose is not on
-/// an arc that the vehicle can drive: driven ground that faces the other end, or lies beside the
-/// robot, is reached by a planned path only. Blocked if it would be shorter than 0.5 m.
+/// `goal.distance_m` long and ends at a gap of the traversed path, or where the next pose is
+/// neither on an arc that the vehicle can drive nor, up to 0.3 m beside it, on a curve onto the
+/// next 3 m: map corrections tear the path. Driven ground that faces the other end, or lies farther
+/// beside the robot, is reached by a planned path only. Blocked if it would be shorter than 0.5 m.
 /// `turning_radius_m`: of the vehicle.
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body, double turning_radius_m);
 

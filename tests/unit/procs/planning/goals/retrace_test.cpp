@@ -126,14 +126,30 @@ TEST(Retrace, CrossesJumpsAsLargeAsTheAccuracyOfAPath) {
   EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 3.9);
 }
 
-/// A jump beyond that ends the path before it, at whichever radius the vehicle turns.
+/// A map correction moves what was driven long ago, and tears the traversed path.
+TEST(Retrace, CurvesOntoAPathBesideIt) {
+  auto traversed = line(0.0, -2.0);
+  for (const Pose2& pose : line(-2.2, -6.0)) traversed.push_back({pose.x, 0.25, 0.1});
+  for (const double radius_m : {0.5, 1.6}) {
+    const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0}, radius_m);
+    ASSERT_GT(path.reached_m, 5.9) << radius_m;
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+      EXPECT_TRUE(path.points[i].reverse);
+      EXPECT_LE(std::abs(path.points[i].curvature_1_m), 1.05 / radius_m);
+      EXPECT_GE(path.points[i].T_odom_body.y, -0.01);
+      EXPECT_LE(path.points[i].T_odom_body.y, 0.26);
+    }
+  }
+}
+
+/// What the vehicle cannot turn ends the path.
 TEST(Retrace, EndsBeforeATurnThatIsTooTight) {
   auto traversed = line(0.0, -2.0);
-  const Pose2 bend = traversed.back() * along_arc(-0.2, 0.3);
+  const Pose2 bend = traversed.back() * along_arc(-0.3, 1.2);
   traversed.push_back(bend);
   for (int i = 1; i <= 10; ++i) traversed.push_back(bend * Pose2{-0.2 * i, 0.0, 0.0});
   EXPECT_NEAR(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 2.0, 1e-9);
-  EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, 0.6).reached_m, 4.1);
+  EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, 0.24).reached_m, 4.1);
 }
 
 class Rejoin : public testing::Test {

@@ -107,10 +107,11 @@ GroundLimits without_margins(GroundLimits limits) {
 /// either side; a vehicle that is smaller by as much compensates for it.
 Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
   const ConvexPolygon outline = body_outline(vehicle).grown(-cell_m);
-  const bool is_rectangle = vehicle.footprint.empty();
-  vehicle.footprint.clear();
-  for (const Eigen::Vector2d& corner : outline.corners())
-    if (!is_rectangle) vehicle.footprint.push_back({corner.x(), corner.y()});
+  if (!vehicle.footprint.empty()) {
+    vehicle.footprint.clear();
+    for (const Eigen::Vector2d& corner : outline.corners())
+      vehicle.footprint.push_back({corner.x(), corner.y()});
+  }
   vehicle.length_m = outline.high().x() - outline.low().x();
   vehicle.width_m = outline.high().y() - outline.low().y();
   vehicle.track_m -= 2.0 * cell_m;

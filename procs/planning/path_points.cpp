@@ -20,33 +20,28 @@ constexpr double kEndClearanceMinM = 0.4;
 constexpr double kStepM = 0.1;
 constexpr double kWidthReserveM = 0.4;  // for margins and the cell size
 
-/// Minimum distance to marked ground along the edges of a polygon, sampled at each cell; at most
-/// `max_m`.
-double edge_distance_m(const ConvexPolygon& polygon, const Pose2& T_level_body,
-                       const Grid2<float>& distances, const TerrainMap& terrain, double max_m) {
+using BodyPoints = std::vector<Eigen::Vector2d>;
+
+/// Along the edges of the wheel tracks, at each cell.
+BodyPoints wheel_edges(const Vehicle& vehicle, double cell_m) {
+  BodyPoints edges;
+  for (const ConvexPolygon& track : wheel_tracks(vehicle)) {
+    const BodyPoints points = track.boundary(cell_m);
+    edges.insert(edges.end(), points.begin(), points.end());
+  }
+  return edges;
+}
+
+/// Minimum distance of points of the body to marked ground; at most `max_m`.
+double least_distance_m(const BodyPoints& p_body, const Pose2& T_level_body,
+                        const Grid2<float>& distances, const TerrainMap& terrain, double max_m) {
   double distance_m = max_m;
-  for (const Eigen::Vector2d& p_body : polygon.boundary(terrain.cell_m)) {
-    const Eigen::Vector2i cell = terrain.cell_at(T_level_body * p_body);
+  for (const Eigen::Vector2d& p : p_body) {
+    const Eigen::Vector2i cell = terrain.cell_at(T_level_body * p);
     if (!distances.contains(cell)) continue;
     distance_m = std::min(distance_m, static_cast<double>(distances.at(cell)));
   }
   return distance_m;
-}
-
-double wheel_clearance_m(const Pose2& T_level_body, const Vehicle& vehicle,
-                         const GroundLayers& layers, const TerrainMap& terrain, double max_m) {
-  double distance_m = max_m;
-  for (const ConvexPolygon& track : wheel_tracks(vehicle)) {
-    distance_m = edge_distance_m(track, T_level_body, layers.wheel_distance_m, terrain, distance_m);
-  }
-  return distance_m;
-}
-
-double clearance_m(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
-                   const TerrainMap& terrain) {
-  const double body_m = edge_distance_m(body_outline(vehicle), T_level_body, layers.body_distance_m,
-                                        terrain, kClearanceMaxM);
-  return wheel_clearance_m(T_level_body, vehicle, layers, terrain, body_m);
 }
 
 /// Width of a tunnel in which the vehicle can turn by π/2 into another one of the same width: its
@@ -87,9 +82,15 @@ std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& s
                                    const TerrainMap& terrain, const GroundLayers& layers,
                                    const Vehicle& vehicle, double spacing_m) {
   std::vector<PathPoint> points;
+  const BodyPoints body = body_outline(vehicle).boundary(terrain.cell_m);
+  const BodyPoints wheels = wheel_edges(vehicle, terrain.cell_m);
   const auto add = [&](const Pose2& T_level_body, double curvature, bool reverse, double cost) {
-    points.push_back({terrain.T_odom_level * T_level_body, curvature, reverse,
-                      clearance_m(T_level_body, vehicle, layers, terrain), cost / kCostPerM});
+    const double body_m =
+        least_distance_m(body, T_level_body, layers.body_distance_m, terrain, kClearanceMaxM);
+    const double clearance_m =
+        least_distance_m(wheels, T_level_body, layers.wheel_distance_m, terrain, body_m);
+    points.push_back(
+        {terrain.T_odom_level * T_level_body, curvature, reverse, clearance_m, cost / kCostPerM});
   };
   LatticePose pose = start;
   double cost = 0.0;
@@ -120,11 +121,13 @@ void refine_clearance(PlannedPath& path, double enough_m, const TerrainMap& terr
                       const GroundLayers& layers, const WallDistance& walls,
                       const Vehicle& vehicle) {
   const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+  const BodyPoints wheels = wheel_edges(vehicle, terrain.cell_m);
   for (PathPoint& point : path.points) {
     if (point.clearance_m > enough_m) continue;
     const Pose2 T_level_body = T_level_odom * point.T_odom_body;
     const double walls_m = walls.clearance_m(T_level_body);
-    const double refined_m = wheel_clearance_m(T_level_body, vehicle, layers, terrain, walls_m);
+    const double refined_m =
+        least_distance_m(wheels, T_level_body, layers.wheel_distance_m, terrain, walls_m);
     point.clearance_m = std::max(point.clearance_m, refined_m);
   }
 }

@@ -56,6 +56,10 @@ PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
   return find(terrain, goal, T_odom_body);
 }
 
+PlannedPath Planning::retraced(const PlanGoal& goal, const Pose2& T_odom_body) const {
+  return retrace(goal, T_odom_body, params_.vehicle.turning_radius_m);
+}
+
 void Planning::prepare(const TerrainMap& terrain, const Pose2& T_odom_body) {
   check(terrain);
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
@@ -91,7 +95,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   }
   // If no scan shows a path onto the traversed path, the robot retraces it from where it is.
   if (goal.kind == PlanGoal::Kind::kRejoin && path.points.size() < 2) {
-    return retrace(goal, T_odom_body, params_.vehicle.turning_radius_m);
+    return retraced(goal, T_odom_body);
   }
   path.utime = terrain.utime;
   path.id = goal.id;

@@ -65,6 +65,8 @@ class Planning {
   /// the terrain map has no cells, or cells that are too small or too large for the vehicle. A goal
   /// or pose outside the map is no error, but yields a reason.
   PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
+  /// A path over the traversed path, see retrace().
+  [[nodiscard]] PlannedPath retraced(const PlanGoal& goal, const Pose2& T_odom_body) const;
 
   // The two steps of plan(), separately for measurements. find() needs the arguments of the
   // preceding prepare(), which throws as plan() does.

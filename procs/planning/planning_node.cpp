@@ -11,7 +11,6 @@
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/navigation.hpp"
-#include "procs/planning/goals/retrace.hpp"
 
 namespace adit {
 namespace {
@@ -24,8 +23,7 @@ void release_memory() { malloc_trim(0); }
 
 }  // namespace
 
-PlanningNode::PlanningNode(Bus& bus, const Params& params)
-    : bus_(bus), planning_(params), turning_radius_m_(params.vehicle.turning_radius_m) {
+PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning_(params) {
   subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTileQueueSize),
                        [this](const TerrainFragment& tile) {
                          auto terrain = assembler_.add(tile);
@@ -70,7 +68,7 @@ void PlanningNode::try_plan() {
 
 /// Along the traversed path, with the clearance that a scan showed outbound.
 PlannedPath PlanningNode::retraced() const {
-  PlannedPath path = retrace(*goal_, *T_odom_body_, turning_radius_m_);
+  PlannedPath path = planning_.retraced(*goal_, *T_odom_body_);
   clearance_.apply(path);
   return path;
 }

@@ -33,7 +33,6 @@ class PlanningNode {
 
   Bus& bus_;
   Planning planning_;
-  double turning_radius_m_ = 0.0;
   TerrainReassembler assembler_;
   std::optional<TerrainMap> terrain_;
   std::optional<Pose2> T_odom_body_;

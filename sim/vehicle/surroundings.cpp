@@ -33,14 +33,13 @@ std::pair<float, float> span_z(const TriangleMesh& mesh) {
 /// Whether a triangle of the mesh reaches into the body, which has the same outline from the belly
 /// to the top.
 bool is_within(const TriangleMesh& mesh, std::uint32_t triangle, const Vehicle& vehicle,
-               const Eigen::Isometry3d& T_body_world) {
+               const ConvexPolygon& outline, const Eigen::Isometry3d& T_body_world) {
   std::vector<Eigen::Vector3d> corners;
   for (const std::uint32_t vertex : mesh.triangles[triangle])
     corners.emplace_back(T_body_world * mesh.vertices[vertex].cast<double>());
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   corners = clipped(corners, up, vehicle.height_m);
   corners = clipped<Eigen::Vector3d>(corners, -up, -vehicle.belly_clearance_m);
-  const ConvexPolygon outline = body_outline(vehicle);
   for (const ConvexPolygon::Edge& edge : outline.edges()) {
     const Eigen::Vector3d normal(edge.normal.x(), edge.normal.y(), 0.0);
     corners = clipped(corners, normal, edge.offset_m);
@@ -59,9 +58,10 @@ std::optional<std::string> colliding_part(const RayScene& scene, const Vehicle& 
   box.half_size = {0.5 * vehicle.length_m, 0.5 * vehicle.width_m, half_z};
   std::vector<std::uint32_t> triangles = scene.touching(box);
   if (!vehicle.footprint.empty()) {
+    const ConvexPolygon outline = body_outline(vehicle);
     const Eigen::Isometry3d T_body_world = T_world_body.inverse();
     std::erase_if(triangles, [&](std::uint32_t triangle) {
-      return !is_within(scene.mesh(), triangle, vehicle, T_body_world);
+      return !is_within(scene.mesh(), triangle, vehicle, outline, T_body_world);
     });
   }
   if (triangles.empty()) return std::nullopt;

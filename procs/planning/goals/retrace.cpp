@@ -42,14 +42,15 @@ bool is_drivable(const Pose2& T_odom_a, const Pose2& T_odom_b, double turning_ra
   return std::abs((along_chord.inverse() * step.translation()).y()) <= kOnPathM;
 }
 
-/// Where a vehicle that cannot get to the next pose of the traversed path gets onto it, and the
-/// poses up to there, that one included; none if it cannot.
+/// Where a vehicle gets onto the traversed path, at its next pose if it can, and the poses up to
+/// there, that one included; none if it cannot.
 struct Joined {
   Poses poses;
   Poses::const_iterator at;
 };
 Joined joined(const Pose2& T_odom_from, Poses::const_iterator next, Poses::const_iterator end,
               double turning_radius_m) {
+  if (is_drivable(T_odom_from, *next, turning_radius_m)) return {{*next}, next};
   double along_m = distance_between(T_odom_from, *next);
   if (std::abs(between(T_odom_from, *next).y) > kBesideM) return {};
   for (; next != end && along_m <= kJoinM; ++next) {
@@ -73,18 +74,13 @@ Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
     const double step_m = distance_between(poses.back(), *next);
     if (step_m > kGapM) break;
     if (step_m < kPoseSpacingM) continue;
-    if (is_drivable(poses.back(), *next, turning_radius_m)) {
-      poses.push_back(*next);
-      distance_m += step_m;
-      continue;
-    }
-    const Joined curve = joined(poses.back(), next, end, turning_radius_m);
-    if (curve.poses.empty()) break;
-    for (const Pose2& pose : curve.poses) {
+    const Joined onto = joined(poses.back(), next, end, turning_radius_m);
+    if (onto.poses.empty()) break;
+    for (const Pose2& pose : onto.poses) {
       distance_m += distance_between(poses.back(), pose);
       poses.push_back(pose);
     }
-    next = curve.at;
+    next = onto.at;
   }
   return poses;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -79,16 +80,46 @@ PlannedPath explain_blocked_start(const LatticePose& start, const Lattice& latti
   return path;
 }
 
-/// The C-space in which unobserved ground is lethal behind the robot and beside its route. Unknown
-/// ground ahead may hide a path; a path that returns, leaves the scanned area and leads around
-/// through the rock does not exist.
-CSpace with_unknown_ahead_only(CSpace space, const TerrainMap& terrain, const GoalField& goals,
-                               const Eigen::Vector2d& p_level_body) {
-  const Eigen::Vector2d ahead = goals.direction(p_level_body);
+/// Where unobserved ground may hide a path: ahead of the robot and along its route. A path that
+/// returns, leaves the scanned area and leads around through the rock does not exist.
+class Ahead {
+ public:
+  Ahead(const NoPathContext& context, const GoalField& goals)
+      : terrain_(context.terrain),
+        goals_(goals),
+        p_level_body_(context.T_level_body.translation()),
+        direction_(goals.direction(p_level_body_)) {}
+
+  [[nodiscard]] bool contains(int column, int row) const {
+    if (goals_.progress(terrain_.cells.index({column, row})) > 0.0) return true;
+    return direction_.dot(terrain_.centre(column, row) - p_level_body_) >= 0.0;
+  }
+
+ private:
+  const TerrainMap& terrain_;
+  const GoalField& goals_;
+  Eigen::Vector2d p_level_body_;
+  Eigen::Vector2d direction_;
+};
+
+/// The terrain map with nothing above the ground ahead whose headroom is hidden. To planning it is
+/// as lethal as an obstacle, and it surrounds what a scan shows in a branch.
+TerrainMap with_open_headroom(TerrainMap terrain, const Ahead& ahead) {
+  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
+    TerrainCell& cell = terrain.cells[i];
+    const Eigen::Vector2i at = terrain.cells.cell(i);
+    const bool is_hidden = cell.ground == Ground::kObserved && std::isnan(cell.clearance_m);
+    if (is_hidden && ahead.contains(at.x(), at.y()))
+      cell.clearance_m = std::numeric_limits<float>::infinity();
+  }
+  return terrain;
+}
+
+/// The C-space in which unobserved ground is lethal unless it is ahead.
+CSpace with_unknown_ahead_only(CSpace space, const Ahead& ahead) {
   for (int row = 0; row < space.rows(); ++row) {
     for (int column = 0; column < space.columns(); ++column) {
-      const bool has_progress = goals.progress(space.index(column, row)) > 0.0;
-      if (has_progress || ahead.dot(terrain.centre(column, row) - p_level_body) >= 0.0) continue;
+      if (ahead.contains(column, row)) continue;
       for (int heading = 0; heading < space.headings() / 2; ++heading) {
         std::uint16_t& cost = space.slice(heading).at({column, row});
         if (cost == CSpace::kUnknown) cost = CSpace::kLethal;
@@ -118,19 +149,37 @@ Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
   return vehicle;
 }
 
+/// The progress that the robot may make if unobserved ground ahead is free, at least `enough_m` if
+/// it is more.
+double progress_over_unknown_m(const Lattice& lattice, const LatticePose& start,
+                               const GoalField& goals, const NoPathContext& context,
+                               double enough_m) {
+  const Ahead ahead(context, goals);
+  const GroundLayers layers =
+      ground_layers(with_open_headroom(context.terrain, ahead), context.T_level_body,
+                    context.vehicle, context.c_space.ground);
+  const ExactCheck exact_check(layers, lattice.primitives.reach());
+  CSpace space = context.kernels.convolve(layers);
+  space.keep_lower(lattice.space);  // in which the start may have been cleared
+  space = with_unknown_ahead_only(std::move(space), ahead);
+  const Lattice over_unknown{space, lattice.primitives, CSpace::kLethal, &exact_check};
+  return reachable_region(over_unknown, start, goals, enough_m).progress_m;
+}
+
 /// Whether the robot may make a progress of `enough_m` if all margins are removed: the safety
 /// margins, those of the cells of obstacles and poses (as much again, a cell on each side of a gap
 /// for each), and unconfirmed drops. If so, the obstacle does not prove that there is no path.
 bool fits_without_margins(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
                           const NoPathContext& context, double enough_m) {
-  const TerrainMap terrain = with_confirmed_drops(context.terrain, context.vehicle.step_max_m,
-                                                  std::tan(context.c_space.ground.slope_max_rad));
+  const Ahead ahead(context, goals);
+  const TerrainMap terrain =
+      with_confirmed_drops(with_open_headroom(context.terrain, ahead), context.vehicle.step_max_m,
+                           std::tan(context.c_space.ground.slope_max_rad));
   const CSpaceKernels kernels(without_cell_margin(context.vehicle, terrain.cell_m), context.c_space,
                               terrain.cell_m);
   const GroundLayers layers = ground_layers(terrain, context.T_level_body, context.vehicle,
                                             without_margins(context.c_space.ground));
-  const CSpace space = with_unknown_ahead_only(kernels.convolve(layers), context.terrain, goals,
-                                               context.T_level_body.translation());
+  const CSpace space = with_unknown_ahead_only(kernels.convolve(layers), ahead);
   const Lattice permissive{space, lattice.primitives, CSpace::kLethal, nullptr, true};
   return reachable_region(permissive, start, goals, enough_m).progress_m >= enough_m;
 }
@@ -145,11 +194,8 @@ NoPathExplanation explain_no_path(const Lattice& lattice, const LatticePose& sta
 
   const ReachableRegion region = reachable_region(lattice, start, goals);
   const double min_progress_m = goals.min_progress();
-  const CSpace space = with_unknown_ahead_only(lattice.space, context.terrain, goals,
-                                               context.T_level_body.translation());
-  const Lattice over_unknown{space, lattice.primitives, CSpace::kLethal, lattice.exact_check};
   const double over_unknown_m =
-      reachable_region(over_unknown, start, goals, min_progress_m).progress_m;
+      progress_over_unknown_m(lattice, start, goals, context, min_progress_m);
   const bool unknown = over_unknown_m >= min_progress_m;
   const bool narrow =
       !unknown && fits_without_margins(lattice, start, goals, context,

@@ -34,7 +34,7 @@ struct NoPathExplanation {
 
 /// Explains a search in `lattice` that ended without a path:
 /// - kStartBlocked: the start pose is not on the map or blocked;
-/// - kUnknown: a path may lead over unobserved ground ahead;
+/// - kUnknown: a path may lead over unobserved ground ahead, or below a roof that no scan shows;
 /// - kNarrow: the robot passes if all margins are removed;
 /// - kBlocked: observed obstacles block the robot.
 /// The evidence is the cells that block it at the front of the reachable region.

@@ -128,6 +128,12 @@ CSpace::CSpace(int headings, int columns, int rows)
       slices_(static_cast<std::size_t>(headings / 2),
               Grid2<std::uint16_t>(columns, rows, kLethal)) {}
 
+void CSpace::keep_lower(const CSpace& other) {
+  for (std::size_t k = 0; k < slices_.size(); ++k)
+    for (std::size_t i = 0; i < slices_[k].size(); ++i)
+      slices_[k][i] = std::min(slices_[k][i], other.slices_[k][i]);
+}
+
 CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m)
     : headings_(params.headings),
       cell_m_(cell_m),

@@ -50,6 +50,8 @@ class CSpace {
     return slices_[slice_index(heading)];
   }
   [[nodiscard]] Grid2<std::uint16_t>& slice(int heading) { return slices_[slice_index(heading)]; }
+  /// Lowers each cost to that of a C-space of the same size, if less.
+  void keep_lower(const CSpace& other);
   /// Number of cells of a slice.
   [[nodiscard]] std::size_t cells() const { return slices_.front().size(); }
   /// Index of a cell in a slice.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -252,6 +253,20 @@ TEST(Planning, DistinguishesUnobservedGroundFromObstacles) {
   TerrainMap both = corridor_with(unmeasured_cell(Ground::kOccluded), low, {5.5, 2.0});
   paint_box(both, obstacle_cell(1.0), {2.8, -2.0}, {3.0, 2.0});
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
+}
+
+/// Ground of which the floor is seen, but not what is above it, is lethal to the body, yet no
+/// evidence that the tunnel is closed: at the edge of what a scan shows of a branch it lies across.
+TEST(Planning, DistinguishesHiddenHeadroomFromObstacles) {
+  constexpr float kHidden = std::numeric_limits<float>::quiet_NaN();
+  for (const double to_m : {2.7, 5.5}) {
+    TerrainMap hidden = corridor_with(roofed_cell(kHidden), {2.5, -2.0}, {to_m, 2.0});
+    EXPECT_EQ(plan(hidden).outcome, PlanOutcome::kUnknown) << to_m;
+    paint_box(hidden, unmeasured_cell(Ground::kOccluded), {2.7, -2.0}, {5.5, 2.0});
+    EXPECT_EQ(plan(hidden).outcome, PlanOutcome::kUnknown) << to_m;
+    paint_box(hidden, obstacle_cell(1.0), {3.0, -2.0}, {3.2, 2.0});
+    EXPECT_EQ(plan(hidden).outcome, PlanOutcome::kBlocked) << to_m;
+  }
 }
 
 TEST(Planning, FindsNoDetourThroughUnobservedGroundBehindIt) {

@@ -107,7 +107,7 @@ PassingBeams::PassingBeams(const Cloud& cloud, const TerrainMap& map, double mar
     const auto bins = static_cast<std::size_t>(reach_m(map, origin) / cell_m_) + 2;
     Viewpoint viewpoint{origin.head<2>(), bins,
                         std::vector<float>(SectorBeams::kSectors * bins, kNone),
-                        std::vector<float>(SectorBeams::kSectors * bins, kNone)};
+                        std::vector<float>(SectorBeams::kSectors * bins, -kNone)};
     auto sectors = beams_by_sector(lines);
     for (std::size_t i = 0; i < sectors.size(); ++i) {
       set_heights_of_second(sectors[i], cell_m_,
@@ -134,6 +134,14 @@ std::optional<std::size_t> PassingBeams::Viewpoint::index(const Eigen::Vector2f&
   return SectorBeams::sector(d.x(), d.y()) * bins + bin;
 }
 
+float PassingBeams::Viewpoint::free_up_to_m(const Eigen::Vector2f& p_level, float cell_m) const {
+  const auto i = index(p_level, cell_m);
+  if (!i || highest_m[*i] == -kNone) return kNone;
+  const std::size_t all = highest_m.size();
+  return std::max(
+      {highest_m[*i], highest_m[(*i + bins) % all], highest_m[(*i + all - bins) % all]});
+}
+
 float PassingBeams::height_m(const Eigen::Vector2f& p_level) const {
   float least = kNone;
   for (const Viewpoint& viewpoint : viewpoints_) {
@@ -146,10 +154,8 @@ float PassingBeams::height_m(const Eigen::Vector2f& p_level) const {
 /// From any of the viewpoints.
 float PassingBeams::free_up_to_m(const Eigen::Vector2f& p_level) const {
   float most = viewpoints_.empty() ? kNone : -kNone;
-  for (const Viewpoint& viewpoint : viewpoints_) {
-    const auto i = viewpoint.index(p_level, cell_m_);
-    most = std::max(most, i ? viewpoint.highest_m[*i] : kNone);
-  }
+  for (const Viewpoint& viewpoint : viewpoints_)
+    most = std::max(most, viewpoint.free_up_to_m(p_level, cell_m_));
   return most;
 }
 

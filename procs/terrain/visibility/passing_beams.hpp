@@ -29,8 +29,9 @@ class PassingBeams {
     return z_m > height_m(p_level) + margin_m_;
   }
 
-  /// z in level [m] up to which a place is seen to be free; infinite if nothing nearer hides what
-  /// is above.
+  /// z in level [m] up to which a place, or what lies a sector beside it, is seen to be free;
+  /// infinite if nothing nearer hides what is above. Of a sector that meets the edge of a wall the
+  /// highest beams may end there and lower ones pass.
   [[nodiscard]] float free_up_to_m(const Eigen::Vector2f& p_level) const;
 
   /// Where the first lines begin; the origin without any.
@@ -42,11 +43,13 @@ class PassingBeams {
     Eigen::Vector2f origin;
     std::size_t bins;
     std::vector<float> heights_m;
-    std::vector<float> highest_m;
+    std::vector<float> highest_m;  ///< infinite where nothing hides what is above, −infinite
+                                   ///< where fewer than two beams reach
 
     /// Of a place among these heights; empty if it is too far away.
     [[nodiscard]] std::optional<std::size_t> index(const Eigen::Vector2f& p_level,
                                                    float cell_m) const;
+    [[nodiscard]] float free_up_to_m(const Eigen::Vector2f& p_level, float cell_m) const;
   };
 
   /// z in level [m] of the second lowest beam over a point, since a single one may be a reflection;

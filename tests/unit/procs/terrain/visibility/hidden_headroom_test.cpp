@@ -3,6 +3,7 @@
 // Ground that is seen below something that hides what is above it.
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,22 @@ TEST(HiddenHeadroom, IsNoneInAnOpenTunnelOrBehindARock) {
     add_rock(builder, {5.0, 0.0, 0.25}, {1.0, 1.0, 0.5});
   });
   EXPECT_EQ(share_of(with_rock, ahead, hides_headroom), 0.0);
+}
+
+/// In a sector that meets its edge the highest beams may end at a pillar and lower ones pass it.
+TEST(HiddenHeadroom, IsNoneBesideAPillar) {
+  for (int degrees = 40; degrees <= 70; degrees += 2) {
+    const double angle_rad = degrees * std::numbers::pi / 180.0;
+    const Eigen::Vector2d pillar = 2.2 * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+    const TerrainMap map = terrain_of([&](MeshBuilder& builder) {
+      add_rock(builder, {0.0, 0.0, -0.5}, {30.0, 30.0, 1.0});
+      add_rock(builder, {0.0, 0.0, 2.5}, {30.0, 30.0, 1.0});
+      add_rock(builder, {1.0 + pillar.x(), pillar.y(), 1.0}, {0.4, 0.4, 3.0});
+    });
+    const Eigen::AlignedBox2d behind(Eigen::Vector2d(1.5, pillar.y() + 0.5),
+                                     Eigen::Vector2d(6.0, 6.0));
+    EXPECT_EQ(share_of(map, behind, hides_headroom), 0.0) << degrees;
+  }
 }
 
 TEST(HiddenHeadroom, EndsWhereTheVehicleHasBeen) {

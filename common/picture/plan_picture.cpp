@@ -68,25 +68,34 @@ void draw_outlines(const MapPanel& panel, const PlanPicture& picture) {
   }
 }
 
-/// A ring at a goal pose; for a goal along a direction, a dashed line to its end.
+/// In pixels, to the end of the goal: its route, or a straight line along its direction; of a goal
+/// pose only its place.
+std::vector<Eigen::Vector2d> line_to(const MapPanel& panel, const PlanGoal& goal) {
+  std::vector<Eigen::Vector2d> line;
+  const Pose2 T_level_odom = panel.terrain().T_odom_level.inverse();
+  for (const Eigen::Vector2d& p_odom : goal.route_odom)
+    line.push_back(panel.pixel(T_level_odom * p_odom));
+  if (!line.empty()) return line;
+  const Pose2 T_level_goal = T_level_odom * goal.T_odom_goal;
+  line.push_back(panel.pixel(T_level_goal.translation()));
+  if (goal.kind == PlanGoal::Kind::kAlong)
+    line.push_back(panel.pixel(T_level_goal * Eigen::Vector2d(goal.distance_m, 0.0)));
+  return line;
+}
+
+/// A dashed line to the goal and a ring at its end.
 void draw_goal(const MapPanel& panel, const PlanGoal& goal) {
   cairo_t* const cairo = panel.canvas().cairo();
-  const Pose2 T_level_goal = in_level(panel, goal.T_odom_goal);
-  const double ahead_m = goal.kind == PlanGoal::Kind::kAlong ? goal.distance_m : 0.0;
-  const Eigen::Vector2d from = panel.pixel(T_level_goal.translation());
-  const Eigen::Vector2d to = panel.pixel(T_level_goal * Eigen::Vector2d(ahead_m, 0.0));
+  const std::vector<Eigen::Vector2d> line = line_to(panel, goal);
   panel.canvas().colour(kGoal);
   cairo_set_line_width(cairo, 2.0);
-  if (ahead_m > 0.0) {
-    const std::array<double, 2> dashes{4.0, 6.0};
-    cairo_set_dash(cairo, dashes.data(), 2, 0.0);
-    cairo_move_to(cairo, from.x(), from.y());
-    cairo_line_to(cairo, to.x(), to.y());
-    cairo_stroke(cairo);
-    cairo_set_dash(cairo, nullptr, 0, 0.0);
-  }
+  const std::array<double, 2> dashes{4.0, 6.0};
+  cairo_set_dash(cairo, dashes.data(), 2, 0.0);
   cairo_new_path(cairo);
-  cairo_arc(cairo, to.x(), to.y(), kGoalRadiusPx, 0.0, 6.3);
+  for (const Eigen::Vector2d& p : line) cairo_line_to(cairo, p.x(), p.y());
+  cairo_stroke(cairo);
+  cairo_set_dash(cairo, nullptr, 0, 0.0);
+  cairo_arc(cairo, line.back().x(), line.back().y(), kGoalRadiusPx, 0.0, 6.3);
   cairo_stroke(cairo);
 }
 

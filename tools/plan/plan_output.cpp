@@ -48,6 +48,15 @@ Json pose(const Pose2& T_level) {
 Json goal_of(const ScanPlan& plan) {
   const Pose2 T_level_goal = between(plan.terrain.T_odom_level, plan.goal.T_odom_goal);
   if (plan.goal.kind == PlanGoal::Kind::kToPose) return pose(T_level_goal);
+  if (!plan.goal.route_odom.empty()) {
+    const Pose2 T_level_odom = plan.terrain.T_odom_level.inverse();
+    Json route = Json::array();
+    for (const Eigen::Vector2d& p_odom : plan.goal.route_odom) {
+      const Eigen::Vector2d p_level = T_level_odom * p_odom;
+      route.push_back({{"x_m", p_level.x()}, {"y_m", p_level.y()}});
+    }
+    return {{"route", route}};
+  }
   return {{"along_rad", T_level_goal.theta}, {"distance_m", plan.goal.distance_m}};
 }
 

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/plan/plan_run.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +15,7 @@
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/result_folder.hpp"
+#include "tools/plan/logged_plan.hpp"
 #include "tools/plan/plan_output.hpp"
 
 namespace adit {
@@ -55,10 +60,50 @@ std::string title_of(const PlanRunOptions& options, const NumberedScan& scan,
   return fmt::format("{}{}: {}", options.input.filename().string(), number, path.reason);
 }
 
+void print(const std::vector<std::string>& lines, std::ostream& out) {
+  for (const std::string& line : lines) out << fmt::format("  {}\n", line);
+}
+
+/// Of the plan that the mission made for the same goal.
+std::string comparison_with(const std::optional<PlannedPath>& logged, const PlannedPath& path) {
+  if (!logged) return "the log has no answer to this goal";
+  if (logged->outcome == path.outcome && logged->points.size() == path.points.size())
+    return "as in the mission";
+  return fmt::format("in the mission: {}: {}", name_of(logged->outcome), logged->reason);
+}
+
+/// Plans again for a goal of a mission.
+bool run_logged_plan(const PlanRunOptions& options, const ConfigFile& config, std::ostream& out,
+                     std::ostream& err) {
+  if (!options.choice.id || !is_lcm_log(options.input))
+    throw std::invalid_argument("--logged requires a log, and --id: the goal of the mission");
+  const LoggedPlan logged = logged_plan(options.input, *options.choice.id);
+  ScanInput source = scans_of_log(options.input, config);
+  source.warnings.insert(source.warnings.end(), logged.warnings.begin(), logged.warnings.end());
+  print_warnings(options, source, err);
+  const PlanningParams params = logged.params && options.config.empty()
+                                    ? *logged.params
+                                    : load_scan_plan_params(config, options.estimator).planning;
+  Planning planning(params);
+  const ScanPlan plan = plan_on_terrain(logged.terrain, logged.goal, logged.T_odom_body, planning);
+  const auto scan = std::ranges::find(source.clouds, logged.goal.id, &Cloud::id);
+  const Cloud cloud = scan == source.clouds.end() ? Cloud{} : *scan;
+  const ResultFolder results(options.folder);
+  write_plan_files(fmt::format("{} goal {}: {}", options.input.filename().string(), logged.goal.id,
+                               plan.path.reason),
+                   cloud, plan, planning, params.vehicle, results.unfinished());
+  results.publish();
+  out << options.folder.string() << "\n";
+  print(plan_summary(cloud, plan), out);
+  print({comparison_with(logged.path, plan.path), plan_times(plan.times)}, out);
+  return plan.path.outcome == PlanOutcome::kFound;
+}
+
 }  // namespace
 
 bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& err) {
   const ConfigFile config = load_config(options.config);
+  if (options.logged) return run_logged_plan(options, config, out, err);
   const ScanPlanParams params = load_scan_plan_params(config, options.estimator);
   Planning planning(params.planning);
   const ScanInput source =
@@ -75,10 +120,8 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
                      params.planning.vehicle, folder);
     out << fmt::format("{}{}\n", options.folder.string(),
                        options.choice.all ? fmt::format("/scan_{}", scan.number) : "");
-    for (const std::string& line : plan_summary(scan.cloud, plan)) {
-      out << fmt::format("  {}\n", line);
-    }
-    out << fmt::format("  {}\n", plan_times(plan.times));
+    print(plan_summary(scan.cloud, plan), out);
+    print({plan_times(plan.times)}, out);
     all_found = all_found && plan.path.outcome == PlanOutcome::kFound;
   }
   results.publish();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 #include "common/config/config.hpp"
 #include "procs/terrain/terrain.hpp"
@@ -43,19 +44,28 @@ ScanPlanParams load_scan_plan_params(const ConfigFile& config, const std::string
 
 ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& choice, const ScanPlanParams& params,
                       Planning& planning) {
+  TerrainMap terrain;
+  const double terrain_ms = milliseconds([&] { terrain = Terrain(params.terrain).make(cloud); });
+  ScanPlan plan =
+      plan_on_terrain(std::move(terrain), in_odom(choice, cloud), cloud.T_odom_level, planning);
+  plan.times.terrain_ms = terrain_ms;
+  return plan;
+}
+
+ScanPlan plan_on_terrain(TerrainMap terrain, const PlanGoal& goal, const Pose2& T_odom_body,
+                         Planning& planning) {
   ScanPlan plan;
-  const Terrain terrain(params.terrain);
-  plan.times.terrain_ms = milliseconds([&] { plan.terrain = terrain.make(cloud); });
+  plan.terrain = std::move(terrain);
+  plan.goal = goal;
   for (const TerrainCell& cell : plan.terrain.cells) {
     ++plan.ground[static_cast<std::size_t>(cell.ground)];
   }
-  plan.goal = in_odom(choice, cloud);
-  const auto prepare = [&] { planning.prepare(plan.terrain, cloud.T_odom_level); };
+  const auto prepare = [&] { planning.prepare(plan.terrain, T_odom_body); };
   const double first_ms = milliseconds(prepare);
   plan.times.c_space_ms = milliseconds(prepare);
   plan.times.kernels_ms = std::max(first_ms - plan.times.c_space_ms, 0.0);
   plan.times.search_ms =
-      milliseconds([&] { plan.path = planning.find(plan.terrain, plan.goal, cloud.T_odom_level); });
+      milliseconds([&] { plan.path = planning.find(plan.terrain, plan.goal, T_odom_body); });
   return plan;
 }
 

@@ -53,4 +53,8 @@ struct ScanPlan {
 ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& goal, const ScanPlanParams& params,
                       Planning& planning);
 
+/// Computes C-space and path for a goal on a terrain map, from a pose in odom. As above.
+ScanPlan plan_on_terrain(TerrainMap terrain, const PlanGoal& goal, const Pose2& T_odom_body,
+                         Planning& planning);
+
 }  // namespace adit

@@ -139,7 +139,7 @@ void add_placement_options(CLI::App& command, CloudPlacement& placement) {
       ->group(kPointsGroup);
 }
 
-void add_log_options(CLI::App& command, ScanChoice& choice, bool& list) {
+void add_log_options(CLI::App& command, ScanChoice& choice, bool& logged, bool& list) {
   CLI::Option* number = command.add_option("--scan", choice.number, "N-th scan of the log, from 1")
                             ->type_name("N")
                             ->check(number_in(at_least(1.0)))
@@ -152,6 +152,11 @@ void add_log_options(CLI::App& command, ScanChoice& choice, bool& list) {
   command.add_flag("--all", choice.all, "All scans, each into a sub-folder of DIR")
       ->excludes(number)
       ->excludes(id)
+      ->group(kLogsGroup);
+  command
+      .add_flag("--logged", logged,
+                "Plan again for the goal --id of the mission, with its terrain and parameters")
+      ->needs(id)
       ->group(kLogsGroup);
   command.add_flag("--list", list, "List the scans and exit")->group(kLogsGroup);
 }
@@ -178,7 +183,10 @@ it assumes:
   - one viewpoint: VIEWPOINT of a PCD file, else the origin of the file, or --laser-at
   - the vehicle centre below the viewpoint, or --vehicle-at; heading along the first axis of the plane (x for
     z up), or --heading-deg; on the ground, whose height is estimated, or --ground-m
-  - no data about beams without return: water appears as ground that was not scanned)";
+  - no data about beams without return: water appears as ground that was not scanned
+
+The plan of a mission may rest on more than one scan: --logged takes the terrain map, the goal and the pose that
+planning had, and says whether the outcome is that of the mission.)";
 
 constexpr const char* kPlanExitCodes =
     "  3  no path; with --all, no path on at least one of the scans";
@@ -188,6 +196,7 @@ constexpr const char* kPlanExamples =
   adit plan beam.lcmlog --out beam
   adit plan room.ply --out room --up y --goal 4,1.5
   adit plan run.lcmlog --list
+  adit plan run.lcmlog --out goal_80 --id 80 --logged    why did the mission find no path to goal 80?
   adit plan run.lcmlog --out all --all --config my.yaml)";
 
 }  // namespace
@@ -215,7 +224,7 @@ void add_plan_command(CLI::App& adit) {
                    "Ground height per cell: paper uses extremes, kth a rank, robust to outliers")
       ->check(CLI::IsMember({"paper", "kth"}));
   add_goal_options(*command, options->run.goal);
-  add_log_options(*command, options->run.choice, options->list);
+  add_log_options(*command, options->run.choice, options->run.logged, options->list);
   add_placement_options(*command, options->run.placement);
   command->callback([options] {
     if (options->list) return list_scans(options->run, std::cout, std::cerr);

@@ -57,4 +57,16 @@ ConvexPolygon body_outline(const Vehicle& vehicle) {
   return outline;
 }
 
+Vehicle with_outline_grown(Vehicle vehicle, double by_m) {
+  const ConvexPolygon outline = body_outline(vehicle).grown(by_m);
+  if (!vehicle.footprint.empty()) {
+    vehicle.footprint.clear();
+    for (const Eigen::Vector2d& corner : outline.corners())
+      vehicle.footprint.push_back({corner.x(), corner.y()});
+  }
+  vehicle.length_m = outline.high().x() - outline.low().x();
+  vehicle.width_m = outline.high().y() - outline.low().y();
+  return vehicle;
+}
+
 }  // namespace adit

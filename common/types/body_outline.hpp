@@ -14,4 +14,8 @@ namespace adit {
 /// `width_m` say, both to 1 mm.
 ConvexPolygon body_outline(const Vehicle& vehicle);
 
+/// The vehicle with its outline moved outwards by a margin on each side, or inwards by a negative
+/// one; its wheels, height and belly as before. Throws as body_outline does.
+Vehicle with_outline_grown(Vehicle vehicle, double by_m);
+
 }  // namespace adit

@@ -137,14 +137,7 @@ GroundLimits without_margins(GroundLimits limits) {
 /// Obstacles of the terrain map extend up to a cell beyond the true ones, which narrows a gap on
 /// either side; a vehicle that is smaller by as much compensates for it.
 Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
-  const ConvexPolygon outline = body_outline(vehicle).grown(-cell_m);
-  if (!vehicle.footprint.empty()) {
-    vehicle.footprint.clear();
-    for (const Eigen::Vector2d& corner : outline.corners())
-      vehicle.footprint.push_back({corner.x(), corner.y()});
-  }
-  vehicle.length_m = outline.high().x() - outline.low().x();
-  vehicle.width_m = outline.high().y() - outline.low().y();
+  vehicle = with_outline_grown(std::move(vehicle), -cell_m);
   vehicle.track_m -= 2.0 * cell_m;
   return vehicle;
 }

@@ -33,7 +33,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_
                                    false_verdicts, unconfirmed, route_home_verdicts, complete,
                                    rescans, back_offs, guard_stops, activity_times, activity_s,
                                    activity_m, loop_closures, between_levels, merged_m,
-                                   loop_closure_error_m, wrong_loop_closures)
+                                   loop_closure_error_m, wrong_loop_closures, least_clearance_m)
 
 }  // namespace test
 

@@ -9,6 +9,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/motion_steps.hpp"
+#include "common/geometry/attitude.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/local_map.hpp"
@@ -81,8 +82,9 @@ class Reader {
 
   void add_truth(const StampedPose& pose) {
     if (!truth_steps_.check(stream_pose(pose), pose.utime).empty()) return;
-    if (is_due(log_.truth, pose.utime))
-      log_.truth.push_back({pose.utime, pose.T_odom_body, pose.z_m});
+    if (!is_due(log_.truth, pose.utime)) return;
+    log_.truth.push_back({pose.utime, pose.T_odom_body, pose.z_m});
+    log_.bodies.push_back(in_space(pose.T_odom_body, pose.z_m, pose.attitude));
   }
   void add_pose(const StampedPose& pose) {
     if (!pose_steps_.check(stream_pose(pose), pose.utime).empty()) return;

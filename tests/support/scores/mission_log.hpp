@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "common/pose_graph/map_graph.hpp"
 #include "common/records/time_budget.hpp"
 #include "common/types/exploration.hpp"
@@ -21,10 +23,11 @@ namespace adit::test {
 
 /// The contents of the log of a simulated mission.
 struct MissionLog {
-  Trajectory truth;      ///< T_world_body
-  Trajectory estimated;  ///< T_map_body, as estimated at the time
-  Trajectory mapped;     ///< T_map_body by the last graph, from the first local map on
-  MapGraph graph;        ///< the last one
+  Trajectory truth;                       ///< T_world_body
+  std::vector<Eigen::Isometry3d> bodies;  ///< the same in space, T_world_body
+  Trajectory estimated;                   ///< T_map_body, as estimated at the time
+  Trajectory mapped;  ///< T_map_body by the last graph, from the first local map on
+  MapGraph graph;     ///< the last one
   std::map<int, std::int64_t> local_map_utimes;  ///< begin of each local map
   std::set<std::array<int, 2>> loop_closures;    ///< pairs of local maps that were ever linked
   std::vector<MissionPhase> phases;              ///< each change once

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "common/types/body_outline.hpp"
+#include "sim/vehicle/surroundings.hpp"
 #include "tests/support/robots/exploring_robot.hpp"
 #include "tests/support/scores/outcome_name.hpp"
 #include "tools/eval/level_consistency.hpp"
@@ -27,9 +30,7 @@ Vehicle non_wading(Vehicle vehicle) {
 
 /// The vehicle with margins for all thresholds: wherever it fits, the real one certainly fits.
 Vehicle with_margin(Vehicle vehicle) {
-  vehicle = non_wading(vehicle);
-  vehicle.length_m += 2.0 * MissionTruth::kMarginM;
-  vehicle.width_m += 2.0 * MissionTruth::kMarginM;
+  vehicle = with_outline_grown(non_wading(std::move(vehicle)), MissionTruth::kMarginM);
   vehicle.height_m += 0.25;  // overhead margin of the terrain stage
   // Margin of the terrain stage and ground roughness; half of what a low vehicle has.
   vehicle.belly_clearance_m -= std::min(0.08, 0.5 * vehicle.belly_clearance_m);
@@ -126,6 +127,29 @@ void add_consistency(const MissionLog& log, MissionScore& score) {
   score.normalised_error_squared = consistency->normalised_error_squared;
 }
 
+/// Of the body at these poses, up to kClearanceMaxM: of the largest body around it that touches
+/// nothing, grown on all sides, downwards from its belly too.
+double least_clearance_m(const std::vector<Eigen::Isometry3d>& bodies, const Site& site,
+                         const Vehicle& vehicle) {
+  constexpr double kToleranceM = 0.005;
+  double least_m = MissionScore::kClearanceMaxM;
+  for (const Eigen::Isometry3d& T_world_body : bodies) {
+    const auto touches = [&](double margin_m) {
+      Vehicle grown = with_outline_grown(vehicle, margin_m);
+      grown.belly_clearance_m -= margin_m;
+      grown.height_m += margin_m;
+      return colliding_part(site.scene(), grown, T_world_body).has_value();
+    };
+    if (least_m <= kToleranceM || !touches(least_m)) continue;
+    double free_m = 0.0;
+    while (least_m - free_m > kToleranceM) {
+      const double middle_m = 0.5 * (free_m + least_m);
+      (touches(middle_m) ? least_m : free_m) = middle_m;
+    }
+  }
+  return least_m;
+}
+
 /// Flags of the corridor points that were observed.
 std::vector<bool> covered_by(const PlanarMine& mine, const Trajectory& truth) {
   std::vector<bool> covered(mine.corridor.size());
@@ -181,6 +205,8 @@ std::size_t level_near(const Eigen::Vector2d& p_world, const Trajectory& poses,
 
 MissionTruth::MissionTruth(const World& world, const Vehicle& vehicle)
     : truth_(world.truth),
+      vehicle_(vehicle),
+      site_(std::make_unique<Site>(world)),
       mines_(planar_mines(world, non_wading(vehicle), kSlopeMaxRad)),
       mines_with_margin_(planar_mines(world, with_margin(vehicle), kSlopeMaxRad - kSlopeMargin)) {}
 
@@ -195,6 +221,7 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
   add_coverage(log, score);
   add_verdicts(log, score);
   score.guard_stops = log.guard_stops;
+  score.least_clearance_m = least_clearance_m(log.bodies, *site_, vehicle_);
   return score;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 #include "sim/world/world.hpp"
@@ -46,6 +47,9 @@ struct MissionScore {
   int rescans = 0;              ///< repeated scans from the same viewpoint
   int back_offs = 0;
   int guard_stops = 0;
+  /// True, of the body to what it must not touch, also below its belly and above it; kClearanceMaxM
+  /// if it was never nearer.
+  double least_clearance_m = 0.0;
   std::array<std::size_t, kActivities> activity_times{};  ///< by Activity, as in TimeBudget
   std::array<double, kActivities> activity_s{};
   std::array<double, kActivities> activity_m{};
@@ -56,6 +60,7 @@ struct MissionScore {
   std::size_t wrong_loop_closures = 0;  ///< of these, by more than kWrongM
 
   static constexpr double kWrongM = 0.5;
+  static constexpr double kClearanceMaxM = 0.2;
   [[nodiscard]] bool false_complete() const { return complete && missed_m > 2.0; }
 };
 
@@ -81,6 +86,8 @@ class MissionTruth {
   void add_verdicts(const MissionLog& log, MissionScore& score) const;
 
   WorldTruth truth_;
+  Vehicle vehicle_;
+  std::unique_ptr<Site> site_;
   std::vector<PlanarMine> mines_;              ///< one for each level
   std::vector<PlanarMine> mines_with_margin_;  ///< the same for the inflated vehicle
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/types/body_outline.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/vehicle/surroundings.hpp"
 #include "sim/world/build_world.hpp"
@@ -123,9 +124,7 @@ Corridor build_corridor(const RandomCorridorMine& mine) {
 }
 
 Corridor random_corridor_with_robot(int seed, const Vehicle& vehicle, double room_m) {
-  Vehicle larger = vehicle;
-  larger.length_m += 2.0 * room_m;
-  larger.width_m += 2.0 * room_m;
+  const Vehicle larger = with_outline_grown(vehicle, room_m);
   const auto& kinds = corridor_kinds();
   const std::string& kind = kinds[static_cast<std::size_t>(seed) % kinds.size()];
   for (int i = 0; i < kAttemptsMax; ++i) {

@@ -33,6 +33,19 @@ TEST(BodyOutline, IsTheRectangleUnlessAFootprintIsGiven) {
   EXPECT_NEAR(octagon.area_m2(), 2.4 * 1.2 - 4.0 * 0.5 * 0.3 * 0.3, 1e-12);
 }
 
+TEST(BodyOutline, GrowsByAMarginOnAllSides) {
+  for (const double by_m : {0.1, -0.1}) {
+    for (const Vehicle& vehicle : {Vehicle{}, chamfered({}, 0.3)}) {
+      const Vehicle grown = with_outline_grown(vehicle, by_m);
+      EXPECT_NEAR(grown.length_m, 2.4 + 2.0 * by_m, 1e-12);
+      EXPECT_NEAR(grown.width_m, 1.2 + 2.0 * by_m, 1e-12);
+      EXPECT_EQ(grown.track_m, vehicle.track_m);
+      EXPECT_EQ(grown.footprint.size(), vehicle.footprint.size());
+      EXPECT_NEAR(body_outline(grown).area_m2(), body_outline(vehicle).grown(by_m).area_m2(), 1e-9);
+    }
+  }
+}
+
 TEST(BodyOutline, SaysWhatIsWrongWithAFootprint) {
   Vehicle vehicle = chamfered({}, 0.3);
   vehicle.footprint[0].y_m -= 0.05;

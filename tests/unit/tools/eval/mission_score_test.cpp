@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/scores/mission_score.hpp"
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "common/geometry/attitude.hpp"
 #include "sim/world/build_world.hpp"
 
 namespace adit::test {
@@ -90,6 +94,43 @@ TEST(MissionScore, MeasuresTheErrorOfLoopClosuresByTheTruth) {
   const MissionScore score = truth_with_grade(0.0).score(log);
   EXPECT_NEAR(score.loop_closure_error_m, 0.7, 1e-9);
   EXPECT_EQ(score.wrong_loop_closures, 1U);
+}
+
+/// A smooth, level tunnel 3 m wide; Groundhog is 1.2 m wide and has its belly at 0.3 m.
+double least_clearance_m(const std::vector<Eigen::Isometry3d>& bodies, double stone_m = 0.0) {
+  WorldDescription description;
+  description.heights.floor_relief.height_m = 0.0;
+  description.heights.roof_relief.height_m = 0.0;
+  description.wall_relief.height_m = 0.0;
+  description.plan.tunnels = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true}};
+  description.T_world_start = {3.0, 0.0, 0.0};
+  if (stone_m > 0.0) {
+    RubbleDescription stone;
+    stone.tunnel = "main";
+    stone.at_m = 10.0;
+    stone.radius_m = 0.3;
+    stone.height_m = stone_m;
+    description.props.rubble = {stone};
+  }
+  MissionLog log;
+  log.bodies = bodies;
+  return MissionTruth(build_world(description)).score(log).least_clearance_m;
+}
+
+TEST(MissionScore, MeasuresTheLeastClearanceOfTheBody) {
+  constexpr double kToleranceM = 0.01;
+  const auto at = [](double x, double y, const Attitude& attitude = {}) {
+    return in_space({x, y, 0.0}, 0.0, attitude);
+  };
+  EXPECT_EQ(least_clearance_m({at(5.0, 0.0)}), MissionScore::kClearanceMaxM);
+  EXPECT_NEAR(least_clearance_m({at(5.0, 0.0), at(6.0, 0.8), at(7.0, -0.75)}), 0.1, kToleranceM);
+  EXPECT_NEAR(least_clearance_m({at(5.0, 0.95)}), 0.0, kToleranceM);
+  // Its front end 1.2 m ahead is lower by the pitch.
+  EXPECT_NEAR(least_clearance_m({at(5.0, 0.0, {0.0, 0.15})}), 0.3 - 1.2 * std::sin(0.15), 0.03);
+  EXPECT_EQ(least_clearance_m({at(5.0, 0.0)}, 0.25), MissionScore::kClearanceMaxM);
+  const double above_m = least_clearance_m({at(5.0, 0.0), at(10.0, 0.0)}, 0.2);
+  EXPECT_GT(above_m, 0.05);
+  EXPECT_LT(above_m, 0.15);
 }
 
 }  // namespace

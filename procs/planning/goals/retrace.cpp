@@ -20,6 +20,15 @@ constexpr double kBesideM = 0.3;        // of the traversed path beside a vehicl
 constexpr double kJoinM = 3.0;          // of it, in which it does
 constexpr double kCurveSpacingM = 0.1;  // of poses up to there
 
+/// By which a pose may be off an arc from the one before.
+struct Tolerance {
+  double beside_m;
+  double heading_rad;
+};
+constexpr Tolerance kAsExactAsAPath{kOnPathM, kOnPathRad};
+// Where scan matching was uncertain, as across a smooth tunnel, the traversed path jitters by this.
+constexpr Tolerance kWithJitter{0.25, 0.25};
+
 using Poses = std::vector<Pose2>;
 
 double distance_between(const Pose2& T_odom_a, const Pose2& T_odom_b) {
@@ -31,15 +40,16 @@ bool is_on_path(const Pose2& T_odom_end, const Pose2& T_odom_traversed) {
          std::abs(angle_diff(T_odom_end.theta, T_odom_traversed.theta)) <= kOnPathRad;
 }
 
-/// Whether the vehicle gets from one pose to the next, to the accuracy of a path: the traversed
-/// path itself joins poses that differ by that much where the robot came back to an earlier one.
-bool is_drivable(const Pose2& T_odom_a, const Pose2& T_odom_b, double turning_radius_m) {
+/// Whether the vehicle gets from one pose to the next, up to a tolerance: the traversed path itself
+/// joins poses that differ by the accuracy of a path where the robot came back to an earlier one.
+bool is_drivable(const Pose2& T_odom_a, const Pose2& T_odom_b, double turning_radius_m,
+                 const Tolerance& tolerance) {
   const Pose2 step = between(T_odom_a, T_odom_b);
   const double step_m = step.translation().norm();
-  if (std::abs(step.theta) > step_m / turning_radius_m + kOnPathRad) return false;
+  if (std::abs(step.theta) > step_m / turning_radius_m + tolerance.heading_rad) return false;
   // The chord of an arc bisects the headings at its ends.
   const Pose2 along_chord{0.0, 0.0, 0.5 * step.theta};
-  return std::abs((along_chord.inverse() * step.translation()).y()) <= kOnPathM;
+  return std::abs((along_chord.inverse() * step.translation()).y()) <= tolerance.beside_m;
 }
 
 /// Where a vehicle gets onto the traversed path, at its next pose if it can, and the poses up to
@@ -49,8 +59,8 @@ struct Joined {
   Poses::const_iterator at;
 };
 Joined joined(const Pose2& T_odom_from, Poses::const_iterator next, Poses::const_iterator end,
-              double turning_radius_m) {
-  if (is_drivable(T_odom_from, *next, turning_radius_m)) return {{*next}, next};
+              double turning_radius_m, const Tolerance& tolerance) {
+  if (is_drivable(T_odom_from, *next, turning_radius_m, tolerance)) return {{*next}, next};
   double along_m = distance_between(T_odom_from, *next);
   if (std::abs(between(T_odom_from, *next).y) > kBesideM) return {};
   for (; next != end && along_m <= kJoinM; ++next) {
@@ -67,14 +77,15 @@ Joined joined(const Pose2& T_odom_from, Poses::const_iterator next, Poses::const
 /// `T_odom_start`, followed by the traversed path from `next` up to a gap, a pose that the vehicle
 /// cannot get to, or a length.
 Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
-                      Poses::const_iterator end, double length_m, double turning_radius_m) {
+                      Poses::const_iterator end, double length_m, double turning_radius_m,
+                      const Tolerance& tolerance) {
   Poses poses{T_odom_start};
   double distance_m = 0.0;
   for (; next != end && distance_m < length_m; ++next) {
     const double step_m = distance_between(poses.back(), *next);
     if (step_m > kGapM) break;
     if (step_m < kPoseSpacingM) continue;
-    const Joined onto = joined(poses.back(), next, end, turning_radius_m);
+    const Joined onto = joined(poses.back(), next, end, turning_radius_m, tolerance);
     if (onto.poses.empty()) break;
     for (const Pose2& pose : onto.poses) {
       distance_m += distance_between(poses.back(), pose);
@@ -83,6 +94,22 @@ Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
     next = onto.at;
   }
   return poses;
+}
+
+double length_of(const Poses& poses) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    length_m += distance_between(poses[i - 1], poses[i]);
+  return length_m;
+}
+
+/// The continuous part with jitter only where there is none without.
+Poses drivable_part(const Pose2& T_odom_start, Poses::const_iterator next,
+                    Poses::const_iterator end, double length_m, double turning_radius_m) {
+  Poses exact =
+      continuous_part(T_odom_start, next, end, length_m, turning_radius_m, kAsExactAsAPath);
+  if (length_of(exact) >= kLengthMinM) return exact;
+  return continuous_part(T_odom_start, next, end, length_m, turning_radius_m, kWithJitter);
 }
 
 /// The path point of the segment from a pose to the next; `cost` is that of the path up to it.
@@ -106,8 +133,8 @@ void append(std::vector<PathPoint>& points, const Poses& poses, double cost) {
 
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body, double turning_radius_m) {
   const Poses poses =
-      continuous_part(T_odom_body, goal.traversed_path_odom.begin(), goal.traversed_path_odom.end(),
-                      goal.distance_m, turning_radius_m);
+      drivable_part(T_odom_body, goal.traversed_path_odom.begin(), goal.traversed_path_odom.end(),
+                    goal.distance_m, turning_radius_m);
   PlannedPath path;
   path.utime = goal.utime;
   path.id = goal.id;
@@ -130,8 +157,8 @@ void append_traversed_path(PlannedPath& path, const PlanGoal& goal, double turni
   const auto last =
       std::find_if(goal.traversed_path_odom.rbegin(), goal.traversed_path_odom.rend(),
                    [&](const Pose2& T_odom) { return is_on_path(end.T_odom_body, T_odom); });
-  const Poses poses = continuous_part(end.T_odom_body, last.base(), goal.traversed_path_odom.end(),
-                                      goal.distance_m, turning_radius_m);
+  const Poses poses = drivable_part(end.T_odom_body, last.base(), goal.traversed_path_odom.end(),
+                                    goal.distance_m, turning_radius_m);
   if (last == goal.traversed_path_odom.rend() || poses.size() < 2) return;
   path.points.pop_back();
   append(path.points, poses, end.cost);

@@ -12,9 +12,10 @@ namespace adit {
 /// the drive. Changes of direction are repeated in reverse order. The path is at most
 /// `goal.distance_m` long and ends at a gap of the traversed path, or where the next pose is
 /// neither on an arc that the vehicle can drive nor, up to 0.3 m beside it, on a curve onto the
-/// next 3 m: map corrections tear the path. Driven ground that faces the other end, or lies farther
-/// beside the robot, is reached by a planned path only. Blocked if it would be shorter than 0.5 m.
-/// `turning_radius_m`: of the vehicle.
+/// next 3 m: map corrections tear the path. If that leaves less than 0.5 m, poses may be off such
+/// an arc by more: the estimate of the poses may jitter. Driven ground that faces the other end, or
+/// lies farther beside the robot, is reached by a planned path only. Blocked if it would be shorter
+/// than 0.5 m. `turning_radius_m`: of the vehicle.
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body, double turning_radius_m);
 
 /// Maximum deviation from a pose of the traversed path at which the robot may continue from it. The

@@ -126,6 +126,19 @@ TEST(Retrace, CrossesJumpsAsLargeAsTheAccuracyOfAPath) {
   EXPECT_GT(retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM).reached_m, 3.9);
 }
 
+/// Across a smooth tunnel scan matching errs to and fro: a robot that drove so was 8 m from home,
+/// and no path led back.
+TEST(Retrace, FollowsAPathThatJitters) {
+  auto traversed = line(0.0, -0.8);
+  for (const Pose2& pose : line(-0.6, 0.6)) traversed.push_back(pose);
+  for (std::size_t i = 1; i < traversed.size(); ++i) traversed[i].y = 0.16;
+  const PlannedPath path = retrace(retrace_goal(traversed), {0, 0, 0}, kTurningRadiusM);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_GT(path.reached_m, 0.8 + 1.4);
+  EXPECT_TRUE(path.points.front().reverse);
+  EXPECT_FALSE(path.points.back().reverse);
+}
+
 /// A map correction moves what was driven long ago, and tears the traversed path.
 TEST(Retrace, CurvesOntoAPathBesideIt) {
   auto traversed = line(0.0, -2.0);

@@ -45,7 +45,7 @@ const ScannedGround* Exploration::add(const TerrainMap& terrain, const Pose2& T_
   if (!anchor) anchor = known_.newest();
   if (!anchor) return nullptr;
   known_.add({anchor->id, between(anchor->T_map_local, T_atlas_level),
-              scanned_cells(terrain, known_.resolution_m(), params_.vehicle.height_m)});
+              scanned_cells(terrain, known_.resolution_m(), params_.vehicle)});
   refresh();
   return &known_.scanned_ground().back();
 }
@@ -67,9 +67,9 @@ Walls Exploration::walls() const { return verify_walls_ ? Walls::kConfirmed : Wa
 
 /// Recomputes where the vehicle can drive, and the paths home.
 void Exploration::refresh_space() {
-  space_ = drivable_space(known_.cells(walls()), known_.resolution_m(), params_.vehicle.width_m,
-                          barrier_lines(), T_map_home().translation(), params_.drivable,
-                          known_.shared_cells());
+  space_ = drivable_space(known_.cells(walls()), known_.low_obstacles(), known_.resolution_m(),
+                          params_.vehicle.width_m, barrier_lines(), T_map_home().translation(),
+                          params_.drivable, known_.shared_cells());
   from_home_.emplace(space_, T_map_home().translation(), PathPreference::kDriven);
 }
 

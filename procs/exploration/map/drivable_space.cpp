@@ -63,6 +63,18 @@ void mark_cells_that_fit(DrivableSpace& space) {
   }
 }
 
+/// The cells within the radius of the vehicle of an obstacle.
+Grid2<std::uint8_t> obstructed_cells(const DrivableSpace& space,
+                                     const Grid2<std::uint8_t>& low_obstacles) {
+  Grid2<std::uint8_t> obstructed(space.known.box());
+  if (low_obstacles.size() == 0) return obstructed;
+  const Grid2<float> distance_m = distance_transform(low_obstacles, space.resolution_m);
+  const auto radius_m = static_cast<float>(space.radius_m);
+  for (std::size_t i = 0; i < obstructed.size(); ++i)
+    obstructed[i] = space.known[i] != Occupancy::kDriven && distance_m[i] < radius_m ? 1 : 0;
+  return obstructed;
+}
+
 /// Flood fill from `open` through cells that are kUnreachable, which become `mark`.
 void flood(DrivableSpace& space, std::vector<std::size_t> open, Access mark,
            const Grid2<std::uint8_t>& barriers, bool stop_at_barriers) {
@@ -92,7 +104,8 @@ std::vector<std::size_t> cells_with(const Grid2<Access>& access, Access value) {
 
 }  // namespace
 
-DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
+DrivableSpace drivable_space(Grid2<Occupancy> known, const Grid2<std::uint8_t>& low_obstacles,
+                             double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params,
                              SharedCells shared) {
@@ -104,6 +117,7 @@ DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double
   space.clearance_m = wall_clearance(space.known, resolution_m, params.clearance_max_m);
   space.access = Grid2<Access>(space.known.box());
   mark_cells_that_fit(space);
+  space.obstructed = obstructed_cells(space, low_obstacles);
   Grid2<std::uint8_t> barrier_cells(space.known.box());
   for (const BarrierLine& barrier : barriers)
     draw(barrier, params.barrier_half_m, space, barrier_cells);

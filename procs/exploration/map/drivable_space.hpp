@@ -68,6 +68,9 @@ struct DrivableSpace {
   Grid2<Occupancy> known;
   Grid2<float> clearance_m;  ///< to the nearest wall [m]; 0 for walls and unseen cells
   Grid2<Access> access;
+  /// 1 where the vehicle would be over an obstacle that it cannot drive over, by 3D scans, unless
+  /// it has driven there: the planner decides, but it will probably find no path.
+  Grid2<std::uint8_t> obstructed;
   SharedCells shared;  ///< of the same box; where the layers are connected
 
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const {
@@ -78,8 +81,10 @@ struct DrivableSpace {
   }
 };
 
-/// Computes clearance and access of all cells as reached from `p_map_home`.
-DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
+/// Computes clearance and access of all cells as reached from `p_map_home`. `low_obstacles` is 1
+/// where an obstacle is that the level lasers do not see; of the box of `known`, or empty.
+DrivableSpace drivable_space(Grid2<Occupancy> known, const Grid2<std::uint8_t>& low_obstacles,
+                             double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params,
                              SharedCells shared = {});

@@ -279,7 +279,9 @@ void KnownSpace::vote_ground(std::size_t i, int sign) {
                        resolution_m());
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (cells[k] == ScannedCell::kUnknown) continue;
-      const auto count = cells[k] == ScannedCell::kGround ? &Votes::ground : &Votes::rock;
+      const auto count = cells[k] == ScannedCell::kGround ? &Votes::ground
+                         : cells[k] == ScannedCell::kRock ? &Votes::rock
+                                                          : &Votes::obstacle;
       placed.add(cells.cell(k), count, sign);
     }
   }
@@ -368,6 +370,21 @@ Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   fill_patches(known);
   for (int layer = 0; layer < atlas_.layers(); ++layer) mark_driven(known, layer);
   return known;
+}
+
+Grid2<std::uint8_t> KnownSpace::low_obstacles() const {
+  const CellBox all = box();
+  if (all.empty()) return {};
+  Grid2<std::uint8_t> obstacles(all);
+  for (int layer = 0; layer < atlas_.layers(); ++layer) {
+    const Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
+    const Eigen::Vector2i shift(0, atlas_.shift(layer));
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+      if (votes[i].obstacle > votes[i].ground)
+        obstacles[obstacles.index(votes.cell(i) + shift)] = 1;
+    }
+  }
+  return obstacles;
 }
 
 SharedCells KnownSpace::shared_cells() const {

@@ -28,7 +28,7 @@ struct KnownSpaceParams {
   LocalMapTileParams tiles;
   double update_distance_m = 0.05;  ///< motion of any point after which a tile votes again
   double unseen_patch_m2 = 1.0;     ///< enclosed unseen patches up to this size count as free
-  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 12 bytes
+  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 14 bytes
 
   template <class V>
   void visit(V& v) {
@@ -91,6 +91,10 @@ class KnownSpace {
   /// All cells, with a rim of two unseen cells. Without 3D scans all walls count.
   [[nodiscard]] Grid2<Occupancy> cells(Walls walls = Walls::kAll) const;
 
+  /// 1 in each of these cells in which 3D scans show an obstacle that the vehicle cannot drive
+  /// over, more of them than even ground.
+  [[nodiscard]] Grid2<std::uint8_t> low_obstacles() const;
+
   /// Whether returns of the level lasers within three cells of a point count as no wall, by what 3D
   /// scans observed.
   [[nodiscard]] bool dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const;
@@ -127,6 +131,7 @@ class KnownSpace {
     std::uint16_t steep_wall = 0;
     std::uint16_t ground = 0;
     std::uint16_t rock = 0;
+    std::uint16_t obstacle = 0;
   };
   struct Entry {
     LocalMapTile tile;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/map/scanned_ground.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -20,6 +21,7 @@ constexpr int kCellsMax = 1'000'000;
 /// Classes of single cells of the terrain, the worst of those within each coarser cell.
 struct Summary {
   bool rock = false;
+  bool obstacle = false;
   bool not_ground = false;
   bool observed = false;
 };
@@ -33,7 +35,13 @@ bool is_rock(const TerrainCell& cell) {
   return cell.ground == Ground::kObserved && cell.coefficient_m >= kRockM;
 }
 
-Grid2<Summary> summarise(const TerrainMap& terrain, double resolution_m, double vehicle_height_m) {
+/// Neither the wheels nor the belly pass over it.
+bool is_obstacle(const TerrainCell& cell, const Vehicle& vehicle) {
+  const double limit_m = std::min(vehicle.step_max_m, vehicle.belly_clearance_m);
+  return cell.ground == Ground::kObserved && cell.coefficient_m > static_cast<float>(limit_m);
+}
+
+Grid2<Summary> summarise(const TerrainMap& terrain, double resolution_m, const Vehicle& vehicle) {
   const Eigen::Vector2d extent =
       terrain.cell_m * Eigen::Vector2d(terrain.cells.columns(), terrain.cells.rows());
   Grid2<Summary> summaries(
@@ -47,7 +55,8 @@ Grid2<Summary> summarise(const TerrainMap& terrain, double resolution_m, double 
     Summary& summary = summaries.at(coarse);
     summary.observed |= cell.ground == Ground::kObserved;
     summary.rock |= is_rock(cell);
-    summary.not_ground |= !is_ground(cell, vehicle_height_m);
+    summary.obstacle |= is_obstacle(cell, vehicle);
+    summary.not_ground |= !is_ground(cell, vehicle.height_m);
   }
   return summaries;
 }
@@ -65,12 +74,14 @@ bool is_ground_around(const Grid2<Summary>& summaries, const Eigen::Vector2i& ce
 }  // namespace
 
 Grid2<ScannedCell> scanned_cells(const TerrainMap& terrain, double resolution_m,
-                                 double vehicle_height_m) {
-  const Grid2<Summary> summaries = summarise(terrain, resolution_m, vehicle_height_m);
+                                 const Vehicle& vehicle) {
+  const Grid2<Summary> summaries = summarise(terrain, resolution_m, vehicle);
   Grid2<ScannedCell> cells(summaries.box());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (summaries[i].rock) {
       cells[i] = ScannedCell::kRock;
+    } else if (summaries[i].obstacle) {
+      cells[i] = ScannedCell::kObstacle;
     } else if (is_ground_around(summaries, summaries.cell(i))) {
       cells[i] = ScannedCell::kGround;
     }
@@ -104,7 +115,7 @@ std::optional<ScannedGround> scanned_ground_from_text(std::string_view text) {
   if (!valid) return std::nullopt;
   ground.cells = Grid2<ScannedCell>(box);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i] < '0' || cells[i] > '2') return std::nullopt;
+    if (cells[i] < '0' || cells[i] > '3') return std::nullopt;
     ground.cells[i] = static_cast<ScannedCell>(cells[i] - '0');
   }
   return ground;

@@ -14,14 +14,16 @@
 #include "common/geometry/pose2.hpp"
 #include "common/grid/grid2.hpp"
 #include "common/types/terrain_map.hpp"
+#include "common/types/vehicle.hpp"
 
 namespace adit {
 
 /// What a 3D scan observed in a cell.
 enum class ScannedCell : std::uint8_t {
   kUnknown,
-  kGround,  ///< ground all around it, free of obstacles, under a roof that leaves room
-  kRock,    ///< higher than any obstacle that leaves a frontier open
+  kGround,    ///< ground all around it, free of obstacles, under a roof that leaves room
+  kRock,      ///< higher than any obstacle that leaves a frontier open
+  kObstacle,  ///< lower than rock, but the vehicle cannot drive over it: a rail, rubble
 };
 
 /// The ground and the walls that a 3D scan observed, relative to a local map, so that they move
@@ -38,9 +40,9 @@ struct ScannedGround {
   }
 };
 
-/// The cells of a terrain map, in level; `vehicle_height_m` is the room that the roof must leave.
+/// The cells of a terrain map, in level, for a vehicle.
 Grid2<ScannedCell> scanned_cells(const TerrainMap& terrain, double resolution_m,
-                                 double vehicle_height_m);
+                                 const Vehicle& vehicle);
 
 /// Conversion to a line of text and back, bit-exact. Empty for malformed text.
 std::string to_text(const ScannedGround& ground);

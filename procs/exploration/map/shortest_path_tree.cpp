@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/map/shortest_path_tree.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -18,8 +19,11 @@ constexpr int kDrivenCost = 4;
 constexpr int kClearCost = 5;
 constexpr int kNearWallCost = 9;
 constexpr int kNotDriven = 2;  // further factor of cells not driven, for PathPreference::kDriven
-constexpr std::size_t kBuckets = 256;
-static_assert(kBuckets > 14 * kNearWallCost * kNotDriven, "the most expensive step must fit");
+// A rail has a metre of such cells: to plan over it in vain takes the time of 20 m of driving.
+constexpr int kObstructedCost = 100;
+constexpr std::size_t kBuckets = 2048;
+static_assert(kBuckets > 14 * std::max(kObstructedCost, kNearWallCost* kNotDriven),
+              "the most expensive step must fit");
 constexpr int kSamePlace = 8;  // the first value of a step beyond the directions
 constexpr int kSnapCells = 5;  // from a point to the nearest cell that qualifies
 
@@ -40,6 +44,13 @@ std::optional<std::size_t> nearest(const Grid2<float>& field, const Eigen::Vecto
     }
   }
   return best;
+}
+
+int cost_factor(const DrivableSpace& space, std::size_t cell, int not_driven) {
+  if (space.known[cell] == Occupancy::kDriven) return kDrivenCost;
+  if (space.obstructed[cell] != 0) return kObstructedCost;
+  const auto near_wall_m = static_cast<float>(space.radius_m + kNearWallM);
+  return not_driven * (space.clearance_m[cell] < near_wall_m ? kNearWallCost : kClearCost);
 }
 
 }  // namespace
@@ -63,7 +74,6 @@ void ShortestPathTree::search(const DrivableSpace& space, std::size_t from,
   Grid2<int> cost(space.known.box(), std::numeric_limits<int>::max());
   std::array<std::vector<std::size_t>, kBuckets> buckets;
   const auto around = cost.around();
-  const auto near_wall = static_cast<float>(space.radius_m + kNearWallM);
   const auto straight_m = static_cast<float>(space.resolution_m);
   const std::array<float, 2> step_m{straight_m, straight_m * std::sqrt(2.0F)};
   const int not_driven = preference == PathPreference::kDriven ? kNotDriven : 1;
@@ -86,11 +96,7 @@ void ShortestPathTree::search(const DrivableSpace& space, std::size_t from,
       for (std::size_t i = 0; i < around.size(); ++i) {
         const std::size_t next = at + static_cast<std::size_t>(around[i]);
         if (space.access[next] != Access::kReachable) continue;
-        const bool driven = space.known[next] == Occupancy::kDriven;
-        const int factor = driven                                ? kDrivenCost
-                           : space.clearance_m[next] < near_wall ? not_driven * kNearWallCost
-                                                                 : not_driven * kClearCost;
-        const int total = now + factor * kStepCost[i];
+        const int total = now + cost_factor(space, next, not_driven) * kStepCost[i];
         if (total >= cost[next]) continue;
         cost[next] = total;
         length_m_[next] = length_m_[at] + step_m[i % 2];

@@ -20,7 +20,8 @@ enum class PathPreference {
 };
 
 /// Shortest paths from one place to all reachable cells: Dijkstra's algorithm on the 8-connected
-/// grid, with costs that prefer driven cells and keep away from walls. Cells that are the same
+/// grid, with costs that prefer driven cells and keep away from walls and from obstacles that only
+/// 3D scans show. Cells that are the same
 /// place in two layers are connected at no cost.
 class ShortestPathTree {
  public:

@@ -79,6 +79,24 @@ TEST_F(EndOfAStrip, IsFreeInsideObservedGround) {
   EXPECT_TRUE(space_.scanned_ground().empty());
 }
 
+TEST_F(EndOfAStrip, HasALowObstacleWhereMore3DScansShowItThanGround) {
+  const Eigen::Vector2d p(2.1, 0.7);
+  const auto is_obstacle = [&] {
+    return space_.low_obstacles().get(cell_of(p, space_.resolution_m())) != 0;
+  };
+  EXPECT_FALSE(is_obstacle());
+  EXPECT_EQ(space_.low_obstacles().box(), space_.cells().box());
+  space_.add(scan_of(ScannedCell::kObstacle, p));
+  EXPECT_TRUE(is_obstacle());
+  EXPECT_EQ(at(p), Occupancy::kFree);
+  space_.add(scan_of(ScannedCell::kGround, p));
+  EXPECT_FALSE(is_obstacle());
+  space_.clear_scanned_ground();
+  space_.add(scan_of(ScannedCell::kObstacle, p));
+  space_.pose({{0.0, 3.0, 0.0}});  // it moves with its local map
+  EXPECT_FALSE(is_obstacle());
+}
+
 TEST_F(EndOfAStrip, IsAWallWhereAny3DScanObservedRock) {
   space_.add(scan_of(ScannedCell::kGround, p_end_));
   space_.add(scan_of(ScannedCell::kRock, p_end_));

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/map/shortest_path_tree.hpp"
 
+#include <cmath>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 namespace adit {
@@ -19,8 +22,15 @@ class ShortestPathTreeInARoom : public testing::Test {
     space_.known = Grid2<Occupancy>(box, Occupancy::kFree);
     space_.clearance_m = Grid2<float>(box, 5.0F);
     space_.access = Grid2<Access>(box, Access::kNone);
+    space_.obstructed = Grid2<std::uint8_t>(box);
     for (int y = 0; y < size.y(); ++y) {
       for (int x = 0; x < size.x(); ++x) space_.access[at(x, y)] = Access::kReachable;
+    }
+  }
+  /// Across the room, 1 m wide, but for `gap_m` at the far side.
+  void lay_rail(double room_m, double gap_m) {
+    for (int y = 0; y < cells(room_m - gap_m); ++y) {
+      for (int x = cells(20.0); x < cells(21.0); ++x) space_.obstructed[at(x, y)] = 1;
     }
   }
   /// Up from the first point, along the other side, and down to the second.
@@ -63,6 +73,28 @@ TEST_F(ShortestPathTreeInARoom, IsCrossedIfTheDetourIsTooLong) {
   make(40.0);
   drive_around(40.0);
   EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1.0);
+}
+
+TEST_F(ShortestPathTreeInARoom, IsCrossedBesideAnObstacle) {
+  make(10.0);
+  lay_rail(10.0, 2.0);
+  // Up and down 8 m on diagonals, which is longer by less than these 16 m.
+  EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM + 16.0 * (std::sqrt(2.0) - 1.0),
+              0.5);
+}
+
+TEST_F(ShortestPathTreeInARoom, IsCrossedOverAnObstacleWithoutAnotherPath) {
+  make(10.0);
+  lay_rail(10.0, 0.0);
+  EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1e-3);
+  EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1e-3);
+}
+
+TEST_F(ShortestPathTreeInARoom, IsCrossedOverAnObstacleWhereTheVehicleHasDriven) {
+  make(10.0);
+  lay_rail(10.0, 2.0);
+  for (int x = 0; x < cells(40.0); ++x) space_.known[at(x, 0)] = Occupancy::kDriven;
+  EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1e-3);
 }
 
 }  // namespace

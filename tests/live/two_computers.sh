@@ -44,11 +44,11 @@ count_sleepers() {
   echo "$n"
 }
 await_sleepers() {
-  for _ in $(seq 500); do [[ $(count_sleepers) == "$1" ]] && return; sleep 0.02; done
+  for _ in $(seq 1500); do [[ $(count_sleepers) == "$1" ]] && return; sleep 0.02; done
   fail "$(count_sleepers) sleeping processes, expected $1"
 }
 # The log output of a supervisor can be later than its action.
 await_output() {
-  for _ in $(seq 500); do grep -q "$2" "$1" && return; sleep 0.02; done
+  for _ in $(seq 1500); do grep -q "$2" "$1" && return; sleep 0.02; done
   fail "missing output: $2"
 }

@@ -143,18 +143,16 @@ Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
 }
 
 /// The progress that the robot may make if unobserved ground ahead is free, at least `enough_m` if
-/// it is more.
+/// it is more. Of this and the next function `context` has the terrain with open headroom.
 double progress_over_unknown_m(const Lattice& lattice, const LatticePose& start,
                                const GoalField& goals, const NoPathContext& context,
                                double enough_m) {
-  const Ahead ahead(context, goals);
   const GroundLayers layers =
-      ground_layers(with_open_headroom(context.terrain, ahead), context.T_level_body,
-                    context.vehicle, context.c_space.ground);
+      ground_layers(context.terrain, context.T_level_body, context.vehicle, context.c_space.ground);
   const ExactCheck exact_check(layers, lattice.primitives.reach());
   CSpace space = context.kernels.convolve(layers);
   space.keep_lower(lattice.space);  // in which the start may have been cleared
-  space = with_unknown_ahead_only(std::move(space), ahead);
+  space = with_unknown_ahead_only(std::move(space), Ahead(context, goals));
   const Lattice over_unknown{space, lattice.primitives, CSpace::kLethal, &exact_check};
   return reachable_region(over_unknown, start, goals, enough_m).progress_m;
 }
@@ -164,15 +162,13 @@ double progress_over_unknown_m(const Lattice& lattice, const LatticePose& start,
 /// for each), and unconfirmed drops. If so, the obstacle does not prove that there is no path.
 bool fits_without_margins(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
                           const NoPathContext& context, double enough_m) {
-  const Ahead ahead(context, goals);
-  const TerrainMap terrain =
-      with_confirmed_drops(with_open_headroom(context.terrain, ahead), context.vehicle.step_max_m,
-                           std::tan(context.c_space.ground.slope_max_rad));
+  const TerrainMap terrain = with_confirmed_drops(context.terrain, context.vehicle.step_max_m,
+                                                  std::tan(context.c_space.ground.slope_max_rad));
   const CSpaceKernels kernels(without_cell_margin(context.vehicle, terrain.cell_m), context.c_space,
                               terrain.cell_m);
   const GroundLayers layers = ground_layers(terrain, context.T_level_body, context.vehicle,
                                             without_margins(context.c_space.ground));
-  const CSpace space = with_unknown_ahead_only(kernels.convolve(layers), ahead);
+  const CSpace space = with_unknown_ahead_only(kernels.convolve(layers), Ahead(context, goals));
   const Lattice permissive{space, lattice.primitives, CSpace::kLethal, nullptr, true};
   return reachable_region(permissive, start, goals, enough_m).progress_m >= enough_m;
 }
@@ -187,11 +183,14 @@ NoPathExplanation explain_no_path(const Lattice& lattice, const LatticePose& sta
 
   const ReachableRegion region = reachable_region(lattice, start, goals);
   const double min_progress_m = goals.min_progress();
+  const TerrainMap open_terrain = with_open_headroom(context.terrain, Ahead(context, goals));
+  const NoPathContext if_open{open_terrain,    context.T_level_body, context.layers,
+                              context.kernels, context.vehicle,      context.c_space};
   const double over_unknown_m =
-      progress_over_unknown_m(lattice, start, goals, context, min_progress_m);
+      progress_over_unknown_m(lattice, start, goals, if_open, min_progress_m);
   const bool unknown = over_unknown_m >= min_progress_m;
   const bool narrow =
-      !unknown && fits_without_margins(lattice, start, goals, context,
+      !unknown && fits_without_margins(lattice, start, goals, if_open,
                                        std::max(min_progress_m, over_unknown_m + kPassedM));
 
   PlannedPath path;

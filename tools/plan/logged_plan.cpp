@@ -14,6 +14,7 @@
 #include "common/bus/node/recorded_section.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/terrain.hpp"
 #include "common/messages/navigation.hpp"
@@ -43,6 +44,8 @@ class LogFollower {
   void add(const LogEventView& event) {
     if (const auto tile = message_of<terrain_t>(event, channels::kTerrain)) {
       if (auto terrain = assembler_.add(*tile)) terrain_ = std::move(terrain);
+    } else if (const auto fragment = message_of<cloud_t>(event, channels::kCloud)) {
+      if (auto cloud = clouds_.add(*fragment)) cloud_ = std::move(*cloud);
     } else if (const auto pose = message_of<pose_t>(event, channels::kPose)) {
       T_odom_body_ = pose->T_odom_body;
     } else if (const auto config = message_of<config_t>(event, channels::kConfig)) {
@@ -66,7 +69,8 @@ class LogFollower {
       throw std::runtime_error(
           fmt::format("no {} before goal {}", terrain_ ? "pose" : "complete terrain map", goal_));
     }
-    found_ = LoggedPlan{*terrain_, goal, *T_odom_body_, {}, {}, {}};
+    found_ = LoggedPlan{*terrain_, goal, *T_odom_body_, {}, {}, {}, {}};
+    if (cloud_.id == terrain_->id) found_->cloud = cloud_;
     if (config_)
       found_->params = recorded_section<PlanningParams>(*config_, kStage, found_->warnings);
   }
@@ -74,6 +78,8 @@ class LogFollower {
   int goal_;
   TerrainReassembler assembler_;
   std::optional<TerrainMap> terrain_;
+  CloudReassembler clouds_;
+  Cloud cloud_;
   std::optional<Pose2> T_odom_body_;
   std::optional<ConfigSnapshot> config_;
   std::optional<LoggedPlan> found_;
@@ -88,6 +94,8 @@ LoggedPlan logged_plan(const std::filesystem::path& file, int goal) {
     for (auto event = log.next(); event && !follower.is_complete(); event = log.next())
       follower.add(*event);
     if (!follower.found()) throw std::runtime_error(fmt::format("no goal {} on GOAL", goal));
+    if (const auto corrupt = log.health().corrupt_bytes; corrupt > 0)
+      follower.found()->warnings.push_back(fmt::format("skipped {} corrupt bytes", corrupt));
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   }

@@ -47,8 +47,9 @@ ScanInput scan_of_points(const PlanRunOptions& options) {
   return source;
 }
 
-void print_warnings(const PlanRunOptions& options, const ScanInput& source, std::ostream& err) {
-  for (const std::string& warning : source.warnings) {
+void print_warnings(const PlanRunOptions& options, const std::vector<std::string>& warnings,
+                    std::ostream& err) {
+  for (const std::string& warning : warnings) {
     err << message_line(fmt::format("adit: {}: {}", options.input.string(), warning)) << "\n";
   }
 }
@@ -64,11 +65,20 @@ void print(const std::vector<std::string>& lines, std::ostream& out) {
   for (const std::string& line : lines) out << fmt::format("  {}\n", line);
 }
 
+/// The clearance of a rejoin is added after planning and not compared.
+bool is_same(const PlannedPath& a, const PlannedPath& b) {
+  constexpr double kToleranceM = 0.001;
+  const auto at_one_place = [](const PathPoint& p, const PathPoint& q) {
+    return (p.T_odom_body.translation() - q.T_odom_body.translation()).norm() <= kToleranceM;
+  };
+  return a.outcome == b.outcome && a.reason == b.reason &&
+         std::ranges::equal(a.points, b.points, at_one_place);
+}
+
 /// Of the plan that the mission made for the same goal.
 std::string comparison_with(const std::optional<PlannedPath>& logged, const PlannedPath& path) {
   if (!logged) return "the log has no answer to this goal";
-  if (logged->outcome == path.outcome && logged->points.size() == path.points.size())
-    return "as in the mission";
+  if (is_same(*logged, path)) return "as in the mission";
   return fmt::format("in the mission: {}: {}", name_of(logged->outcome), logged->reason);
 }
 
@@ -77,24 +87,22 @@ bool run_logged_plan(const PlanRunOptions& options, const ConfigFile& config, st
                      std::ostream& err) {
   if (!options.choice.id || !is_lcm_log(options.input))
     throw std::invalid_argument("--logged requires a log, and --id: the goal of the mission");
-  const LoggedPlan logged = logged_plan(options.input, *options.choice.id);
-  ScanInput source = scans_of_log(options.input, config);
-  source.warnings.insert(source.warnings.end(), logged.warnings.begin(), logged.warnings.end());
-  print_warnings(options, source, err);
+  LoggedPlan logged = logged_plan(options.input, *options.choice.id);
+  if (!logged.params && options.config.empty())
+    logged.warnings.emplace_back("the log has no parameters of planning; using the defaults");
+  print_warnings(options, logged.warnings, err);
   const PlanningParams params = logged.params && options.config.empty()
                                     ? *logged.params
                                     : load_scan_plan_params(config, options.estimator).planning;
   Planning planning(params);
   const ScanPlan plan = plan_on_terrain(logged.terrain, logged.goal, logged.T_odom_body, planning);
-  const auto scan = std::ranges::find(source.clouds, logged.goal.id, &Cloud::id);
-  const Cloud cloud = scan == source.clouds.end() ? Cloud{} : *scan;
   const ResultFolder results(options.folder);
   write_plan_files(fmt::format("{} goal {}: {}", options.input.filename().string(), logged.goal.id,
                                plan.path.reason),
-                   cloud, plan, planning, params.vehicle, results.unfinished());
+                   logged.cloud, plan, planning, params.vehicle, results.unfinished());
   results.publish();
   out << options.folder.string() << "\n";
-  print(plan_summary(cloud, plan), out);
+  print(plan_summary(logged.cloud, plan), out);
   print({comparison_with(logged.path, plan.path), plan_times(plan.times)}, out);
   return plan.path.outcome == PlanOutcome::kFound;
 }
@@ -108,7 +116,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
   Planning planning(params.planning);
   const ScanInput source =
       is_lcm_log(options.input) ? scans_of_log(options.input, config) : scan_of_points(options);
-  print_warnings(options, source, err);
+  print_warnings(options, source.warnings, err);
   bool all_found = true;
   const ResultFolder results(options.folder);
   for (const NumberedScan& scan : select_scans(source, options.choice)) {
@@ -133,7 +141,7 @@ void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& 
     throw std::invalid_argument("--list requires a log; a point cloud is one scan");
   }
   const ScanInput source = scans_of_log(options.input, load_config(options.config));
-  print_warnings(options, source, err);
+  print_warnings(options, source.warnings, err);
   out << "scan      id             utime   lines    points\n";
   int number = 0;
   for (const Cloud& cloud : source.clouds) {

@@ -356,17 +356,23 @@ bool KnownSpace::shows_rock_ahead(const Eigen::Vector2d& p_map,
   return true;
 }
 
+template <class Visit>
+void KnownSpace::for_each_cell(const Visit& visit) const {
+  for (int layer = 0; layer < atlas_.layers(); ++layer) {
+    const Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
+    const Eigen::Vector2i shift(0, atlas_.shift(layer));
+    for (std::size_t i = 0; i < votes.size(); ++i)
+      visit(votes, i, Eigen::Vector2i(votes.cell(i) + shift));
+  }
+}
+
 Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   const CellBox all = box();
   if (all.empty()) return {};
   Grid2<Occupancy> known(all, Occupancy::kUnseen);
-  for (int layer = 0; layer < atlas_.layers(); ++layer) {
-    const Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
-    const Eigen::Vector2i shift(0, atlas_.shift(layer));
-    for (std::size_t i = 0; i < votes.size(); ++i) {
-      known[known.index(votes.cell(i) + shift)] = occupancy(votes, i, walls);
-    }
-  }
+  for_each_cell([&](const Grid2<Votes>& votes, std::size_t i, const Eigen::Vector2i& cell) {
+    known[known.index(cell)] = occupancy(votes, i, walls);
+  });
   fill_patches(known);
   for (int layer = 0; layer < atlas_.layers(); ++layer) mark_driven(known, layer);
   return known;
@@ -376,14 +382,9 @@ Grid2<std::uint8_t> KnownSpace::low_obstacles() const {
   const CellBox all = box();
   if (all.empty()) return {};
   Grid2<std::uint8_t> obstacles(all);
-  for (int layer = 0; layer < atlas_.layers(); ++layer) {
-    const Grid2<Votes>& votes = layers_[static_cast<std::size_t>(layer)];
-    const Eigen::Vector2i shift(0, atlas_.shift(layer));
-    for (std::size_t i = 0; i < votes.size(); ++i) {
-      if (votes[i].obstacle > votes[i].ground)
-        obstacles[obstacles.index(votes.cell(i) + shift)] = 1;
-    }
-  }
+  for_each_cell([&](const Grid2<Votes>& votes, std::size_t i, const Eigen::Vector2i& cell) {
+    if (votes[i].obstacle > votes[i].ground) obstacles[obstacles.index(cell)] = 1;
+  });
   return obstacles;
 }
 

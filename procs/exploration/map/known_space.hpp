@@ -163,6 +163,9 @@ class KnownSpace {
   [[nodiscard]] bool enter_ground(std::size_t i);
   void withdraw_ground(std::size_t i);
   void vote_ground(std::size_t i, int sign);
+  /// `visit(votes, i, cell)`: cell i of the votes of each layer, and its place in atlas.
+  template <class Visit>
+  void for_each_cell(const Visit& visit) const;
   [[nodiscard]] static bool has_returns(const Votes& votes);
   [[nodiscard]] static bool is_confirmed_wall(const Grid2<Votes>& votes, std::size_t i);
   [[nodiscard]] Occupancy occupancy(const Grid2<Votes>& layer, std::size_t i, Walls walls) const;

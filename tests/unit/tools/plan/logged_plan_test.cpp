@@ -64,10 +64,10 @@ class LoggedPlanOfAMission : public testing::Test {
     write(channels::kPose, to_message(pose));
   }
   /// The answer of planning for a vehicle of this height.
-  PlannedPath write_mission(double height_m) {
+  PlannedPath write_mission(double height_m, bool with_cloud = true) {
     PlanningParams params;
     params.vehicle.height_m = height_m;
-    for (const CloudFragment& fragment : split(cloud_))
+    for (const CloudFragment& fragment : split(with_cloud ? cloud_ : Cloud{}))
       write(channels::kCloud, to_message(fragment));
     write_terrain();
     write_pose();
@@ -113,6 +113,14 @@ TEST_F(LoggedPlanOfAMission, RestsOnItsTerrainAndParameters) {
   const auto json = nlohmann::json::parse(test::contents(folder_ / "out/path.json"));
   EXPECT_EQ(json["goal"]["route"].size(), 2U);
   EXPECT_EQ(json["reason"], path.reason);
+}
+
+TEST_F(LoggedPlanOfAMission, NeedsNoScan) {
+  write_mission(0.8, false);
+  EXPECT_FALSE(run());
+  EXPECT_TRUE(logged_plan(file_, goal_.id).cloud.lines.empty());
+  EXPECT_THAT(out_.str(), HasSubstr("as in the mission"));
+  EXPECT_EQ(err_.str(), "");
 }
 
 TEST_F(LoggedPlanOfAMission, SaysWhatTheMissionHadInstead) {
